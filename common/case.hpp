@@ -1,0 +1,274 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/particles.hpp"
+#include "solver/physics/sediment_parameters.hpp"
+
+/// What a case file can say. Every table is a struct whose describe() declares each key once: name, member, unit,
+/// admissible range, one sentence; the member's initial value is the default (`required` where there is none). Parser,
+/// `thalweg explain`, docs/case-file.md and the JSON schema are four visitors of the same declarations.
+///
+/// A visitor offers:
+///   quantity(key, double&, si_unit, low, high, sentence)        a text with a unit
+///   number(key, double&, low, high, sentence)                   a plain number (dimensionless)
+///   integer(key, int&, low, high, sentence)
+///   flag(key, bool&, sentence)
+///   text(key, std::string&, sentence)
+///   texts(key, std::vector<std::string>&, sentence)
+///   point(key, Vec3&, si_unit, sentence)                        one entry per dimension: [x, z] in 2-D, [x, y, z] in
+///   3-D quantities(key, std::vector<double>&, si_unit, low, high, sentence) choice(key, E&, sentence) the names come
+///   from choices(E)
+namespace thalweg {
+
+/// Marks a number the case file has to give.
+inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
+
+/// One admissible word of an enumerated key.
+template <class E>
+struct Choice {
+  E value;
+  const char* name;
+  const char* sentence;
+};
+
+struct CaseInfo {
+  std::string name;
+  std::string title;
+  std::string source;
+  int dimension = 2;
+
+  template <class V>
+  void describe(V& v) {
+    v.text("name", name, "Short name, used for folders and file names; default: the name of the case's folder.");
+    v.text("title", title, "One line for reports.");
+    v.text("source", source, "Where geometry, constants and data come from.");
+    v.integer("dimension", dimension, 2, 3, "2: the plane x-z per metre of width; 3: space.");
+  }
+};
+
+struct Domain {
+  Vec3 from = Vec3::Zero();   // [m]
+  Vec3 to = Vec3::Zero();     // [m]
+  Vec3 gravity{0, 0, -9.81};  // [m/s^2]
+  std::vector<std::string> periodic;
+
+  template <class V>
+  void describe(V& v) {
+    v.point("from", from, "m", "Lower corner of the domain; particles that leave the domain are excluded and counted.");
+    v.point("to", to, "m", "Upper corner of the domain.");
+    v.point("gravity", gravity, "m/s^2", "Acceleration of gravity.");
+    v.texts("periodic", periodic, "Directions in which the domain repeats itself: any of \"x\", \"y\", \"z\".");
+  }
+};
+
+enum class ShapeKind { box, cylinder, sphere, combine_union, combine_difference, combine_intersection };
+enum class ShapeRole { none, water, sediment, wall, moving_wall, empty };
+enum class WallSide { inside, outside };
+
+inline constexpr std::array<Choice<ShapeKind>, 6> choices(ShapeKind) {
+  return {{{ShapeKind::box, "box", "between the corners `from` and `to`"},
+           {ShapeKind::cylinder, "cylinder",
+            "`radius` around the segment from `from` to `to` (3-D), or a disc around `center` (2-D)"},
+           {ShapeKind::sphere, "sphere", "`radius` around `center`; a disc in 2-D"},
+           {ShapeKind::combine_union, "union", "all of the shapes named in `of`"},
+           {ShapeKind::combine_difference, "difference", "the first shape of `of` without the others"},
+           {ShapeKind::combine_intersection, "intersection", "what the shapes of `of` share"}}};
+}
+inline constexpr std::array<Choice<ShapeRole>, 6> choices(ShapeRole) {
+  return {{{ShapeRole::none, "none", "only for use in another shape's `of`"},
+           {ShapeRole::water, "water", "filled with water"},
+           {ShapeRole::sediment, "sediment", "filled with the sediment named by `material`"},
+           {ShapeRole::wall, "wall", "a fixed wall"},
+           {ShapeRole::moving_wall, "moving wall", "a wall with a prescribed motion"},
+           {ShapeRole::empty, "empty", "takes away what earlier shapes put there"}}};
+}
+inline constexpr std::array<Choice<WallSide>, 2> choices(WallSide) {
+  return {{{WallSide::inside, "inside", "the shape is a solid body in the flow"},
+           {WallSide::outside, "outside", "the shape is a container and the wall lies around it"}}};
+}
+
+/// One [[shape]]. Later shapes take the place of earlier ones where they overlap.
+struct Shape {
+  std::string name;
+  ShapeKind kind = ShapeKind::box;
+  ShapeRole role = ShapeRole::none;
+  Vec3 from = Vec3::Zero();    // [m]
+  Vec3 to = Vec3::Zero();      // [m]
+  Vec3 center = Vec3::Zero();  // [m]
+  double radius = 0;           // [m]
+  std::vector<std::string> of;
+  std::string material;
+  WallSide side = WallSide::inside;
+  std::vector<std::string> open;
+  double thickness = 0;  // [m]
+  int line = 0;          // where it stands in the case file, for messages; not a key
+
+  template <class V>
+  void describe(V& v) {
+    v.text("name", name, "Name of the shape, unique in the case.");
+    v.choice("kind", kind, "What it is.");
+    v.choice("role", role, "What it is made of.");
+    v.point("from", from, "m", "box: lower corner; cylinder: one end of the axis.");
+    v.point("to", to, "m", "box: upper corner; cylinder: other end of the axis.");
+    v.point("center", center, "m", "sphere: its centre; cylinder in 2-D: centre of the disc.");
+    v.quantity("radius", radius, "m", 0, 1e6, "sphere, cylinder: the radius.");
+    v.texts("of", of, "union, difference, intersection: names of the shapes combined.");
+    v.text("material", material, "role = \"sediment\": name of the material; may be left out when there is only one.");
+    v.choice("side", side, "Walls: which side of the surface is wall.");
+    v.texts("open", open,
+            "Container walls (side = \"outside\") of a box: faces without wall, any of \"-x\", \"+x\", \"-y\", \"+y\", "
+            "\"-z\", \"+z\".");
+    v.quantity("thickness", thickness, "m", 0, 1e6,
+               "Walls: thickness; default: as much as the kernel's support needs.");
+  }
+};
+
+struct WaterParameters {
+  double density = 1000;    // [kg/m^3]
+  double viscosity = 1e-3;  // [Pa s]
+
+  template <class V>
+  void describe(V& v) {
+    v.quantity("density", density, "kg/m^3", 1, 20000, "Density at rest, at the surface.");
+    v.quantity("viscosity", viscosity, "Pa s", 0, 1e3, "Dynamic viscosity.");
+  }
+};
+
+enum class SedimentModel { off, viscoplastic };
+enum class YieldFit { sine, outer, inner, plane_strain, paper };
+enum class Erosion { off };
+
+inline constexpr std::array<Choice<SedimentModel>, 2> choices(SedimentModel) {
+  return {{{SedimentModel::off, "off", "no sediment in the scene"},
+           {SedimentModel::viscoplastic, "viscoplastic",
+            "Herschel-Bulkley-Papanastasiou fluid with Drucker-Prager yield under submerged weight"}}};
+}
+inline constexpr std::array<Choice<YieldFit>, 5> choices(YieldFit) {
+  return {{{YieldFit::sine, "sin", "sin(phi): plane strain without dilation, for flumes and 2-D"},
+           {YieldFit::outer, "outer", "6 sin(phi) / (sqrt3 (3 - sin(phi))): outer cone of Mohr-Coulomb"},
+           {YieldFit::inner, "inner", "6 sin(phi) / (sqrt3 (3 + sin(phi))): inner cone"},
+           {YieldFit::plane_strain, "plane-strain",
+            "3 tan(phi) / sqrt(9 + 12 tan^2(phi)): plane strain, dilation = friction"},
+           {YieldFit::paper, "paper", "2 sin(phi) / (sqrt3 (3 - sin(phi))): the coefficient as the paper prints it"}}};
+}
+
+struct Model {
+  SedimentModel sediment = SedimentModel::off;
+  YieldFit yield_fit = YieldFit::sine;
+
+  template <class V>
+  void describe(V& v) {
+    v.choice("sediment", sediment, "How sediment moves.");
+    v.choice("yield_fit", yield_fit,
+             "How the friction angle becomes the pressure coefficient of the Drucker-Prager yield stress.");
+  }
+};
+
+struct Numerics {
+  double spacing = required;           // [m]
+  double smoothing_ratio = 1.5;        // [-] h / spacing
+  double sound_speed_factor = 10;      // [-]
+  double maximum_speed = 0;            // [m/s]; 0: 2 sqrt(g H)
+  double cfl = 0.35;                   // [-]
+  double density_diffusion = 0.1;      // [-]
+  double artificial_viscosity = 0.02;  // [-]
+  double viscous_tolerance = 1e-3;     // [-]
+  double list_skin = 0.1;              // [-]
+  double excluded_limit = 1e-3;        // [-]
+
+  template <class V>
+  void describe(V& v) {
+    v.quantity("spacing", spacing, "m", 1e-6, 100, "Distance of the particles at the start (dp).");
+    v.number("smoothing_ratio", smoothing_ratio, 1.1, 3,
+             "Smoothing length over spacing; 1.5 rests best, 1.3 is cheaper (docs/theory.md).");
+    v.number("sound_speed_factor", sound_speed_factor, 5, 100,
+             "Sound speed over maximum_speed; 10 keeps density within 1 %.");
+    v.quantity("maximum_speed", maximum_speed, "m/s", 0, 1000,
+               "Largest speed expected, from which the sound speed follows; 0: 2 sqrt(g H), H the height of the fluid "
+               "at the start.");
+    v.number("cfl", cfl, 0.01, 100,
+             "Courant number of the acoustic and force time steps; above about 0.5 a run diverges and says so.");
+    v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
+    v.number("artificial_viscosity", artificial_viscosity, 0, 1,
+             "Alpha of the artificial viscosity between approaching particles of one phase.");
+    v.number("viscous_tolerance", viscous_tolerance, 1e-8, 0.1,
+             "Residual at which the implicit viscosity stops, over the momentum one step of gravity gives.");
+    v.number("list_skin", list_skin, 0, 1,
+             "Reach of the neighbour list beyond the kernel's support, over the support.");
+    v.number("excluded_limit", excluded_limit, 0, 1,
+             "Share of the fluid particles that may leave the domain before the run stops with an error.");
+  }
+};
+
+struct Output {
+  double end = required;        // [s]
+  double interval = 0;          // [s]
+  std::vector<double> times;    // [s]
+  double history_interval = 0;  // [s]
+
+  template <class V>
+  void describe(V& v) {
+    v.quantity("end", end, "s", 0, 1e9, "Physical time at which the run ends.");
+    v.quantity("interval", interval, "s", 0, 1e9, "Time between snapshots; 0: only at `times`, the start and the end.");
+    v.quantities("times", times, "s", 0, 1e9, "Further times at which a snapshot is written, hit exactly.");
+    v.quantity("history_interval", history_interval, "s", 0, 1e9,
+               "Time between rows of history.csv; 0: a hundredth of the run.");
+  }
+};
+
+struct Compare {
+  std::vector<double> times;  // [s]
+  std::vector<std::string> references;
+  double from = 0;  // [m]
+  double to = 0;    // [m]
+
+  template <class V>
+  void describe(V& v) {
+    v.quantities("times", times, "s", 0, 1e9,
+                 "Times at which profiles are extracted and compared; snapshots are written there too.");
+    v.texts("references", references, "Folders with measured profiles (t0.250.csv …), relative to the case.");
+    v.quantity("from", from, "m", -1e9, 1e9, "Start of the range compared; with `to` equal: the whole domain.");
+    v.quantity("to", to, "m", -1e9, 1e9, "End of the range compared.");
+  }
+};
+
+struct Foam {
+  double cell = 0;        // [m]
+  double open_above = 0;  // [m]
+
+  template <class V>
+  void describe(V& v) {
+    v.quantity("cell", cell, "m", 0, 100, "Cell size of the mesh model; 0: twice the particle spacing.");
+    v.quantity("open_above", open_above, "m", 0, 1e6,
+               "Height of air above the fluid's highest point in the mesh model; 0: half the fluid's height.");
+  }
+};
+
+/// A whole case, checked: every value in range, every name known, every unit right.
+struct Case {
+  std::filesystem::path folder;  // of the case file, for what it refers to
+  std::filesystem::path file;
+  CaseInfo info;
+  Domain domain;
+  std::vector<Shape> shapes;
+  WaterParameters water;
+  std::map<std::string, SedimentParameters> sediments;  // [materials.<name>] other than water
+  Model model;
+  Numerics numerics;
+  Output output;
+  Compare compare;
+  Foam foam;
+
+  [[nodiscard]] double smoothing_length() const { return numerics.smoothing_ratio * numerics.spacing; }
+  [[nodiscard]] bool has_sediment() const;
+  /// The one sediment of the scene; throws InputError when there is none or more than one.
+  [[nodiscard]] const SedimentParameters& sediment() const;
+};
+
+}  // namespace thalweg

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace thalweg {
+
+using Vec3 = Eigen::Vector3d;
+
+/// What a particle is made of. The numbers are part of the file format (docs/file-formats.md).
+enum class ParticleType : std::uint8_t { wall = 0, moving_wall = 1, water = 2, sediment = 3 };
+
+/// What a sediment particle is doing; `none` for every other type. Part of the file format.
+enum class SedimentState : std::uint8_t { none = 0, deposit = 1, bed_load = 2, suspended = 3 };
+
+/// Facts about a whole particle file, stored as FieldData.
+struct ParticleFileInfo {
+  std::string case_name;
+  std::string code_version;     // of the program that wrote the file
+  std::string case_hash;        // of the resolved case (hash_of(Case))
+  int dimension = 2;            // 2 (plane x-z, y = 0) or 3
+  double spacing = 0;           // [m]
+  double smoothing_length = 0;  // [m]
+  double time = 0;              // [s], written as TimeValue so that ParaView shows seconds
+  std::int64_t step = 0;        // [-]
+};
+
+/// A set of particles on the host: structure of arrays, SI units. Every array is empty or has size() entries;
+/// `id`, `type` and `position` are never empty unless the set is.
+struct ParticleSet {
+  ParticleFileInfo info;
+
+  std::vector<std::int64_t> id;  // global, unique, kept for life
+  std::vector<ParticleType> type;
+  std::vector<SedimentState> state;       // empty without sediment
+  std::vector<Vec3> position;             // [m]; y = 0 in 2-D
+  std::vector<Eigen::Vector3f> velocity;  // [m/s]
+  std::vector<float> density;             // [kg/m^3]
+  std::vector<float> pressure;            // [Pa]
+  std::vector<float> mass;                // [kg] (2-D: [kg/m])
+  std::vector<float> viscosity;           // [Pa s]; only where the model has one per particle
+  std::vector<Eigen::Vector3f>
+      normal;  // walls: unit vector from the wall into the flow; zero elsewhere; empty if unknown
+
+  /// Further per-particle arrays by their file name, 1 or 3 components interleaved (checkpoint state, diagnostics).
+  std::map<std::string, std::vector<float>> scalars;
+  std::map<std::string, std::vector<double>> doubles;
+
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+};
+
+/// Number of particles of each ParticleType, indexed by its value.
+std::array<std::int64_t, 4> count_by_type(const ParticleSet& particles);
+
+/// Summed mass [kg] (2-D: [kg/m]) of each ParticleType, indexed by its value; in double.
+std::array<double, 4> mass_by_type(const ParticleSet& particles);
+
+}  // namespace thalweg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace thalweg {
+
+/// Curves along x at one time, the CSV contract "x [m], free_surface [m], bed [m], moving_bed [m]"
+/// (docs/file-formats.md). A column a source does not have is empty; a single missing value is NaN (an empty cell in
+/// the file).
+struct Profile {
+  static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+  std::vector<double> x;             // [m] strictly increasing
+  std::vector<double> free_surface;  // [m] elevation of the water's (or a dry bed's) top
+  std::vector<double> bed;           // [m] elevation of the sediment's top, moving or not
+  std::vector<double> moving_bed;    // [m] elevation of the lower edge of the moving sediment
+};
+
+/// Writes a profile; `comments` become leading "# " lines. Whole file or none. Throws RunError.
+void write_profile(const std::filesystem::path& file, const Profile& profile, const std::vector<std::string>& comments);
+
+/// Reads a profile with any subset of the columns (x [m] is needed; unknown columns are an error that names the known
+/// ones). Throws InputError "file:line: what is wrong; what to do".
+Profile read_profile(const std::filesystem::path& file);
+
+/// "t0.250.csv" for 0.25 s.
+std::string profile_file_name(double time);
+
+/// The time [s] in a profile's file name, or nothing when the name does not follow profile_file_name.
+std::optional<double> time_of_profile(const std::filesystem::path& file);
+
+}  // namespace thalweg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+namespace thalweg {
+
+/// The layout of a run's folder; the one place that knows these names.
+struct RunFolder {
+  std::filesystem::path root;
+
+  /// The case as resolved (defaults and --set applied), written by gencase; the other programs read this one.
+  [[nodiscard]] std::filesystem::path resolved_case() const { return root / "case.resolved.toml"; }
+  [[nodiscard]] std::filesystem::path particles() const { return root / "particles.vtp"; }
+  [[nodiscard]] std::filesystem::path snapshots() const { return root / "snapshots"; }
+  [[nodiscard]] std::filesystem::path snapshot_series() const { return root / "snapshots.pvd"; }
+  [[nodiscard]] std::filesystem::path history() const { return root / "history.csv"; }
+  [[nodiscard]] std::filesystem::path timing() const { return root / "timing.csv"; }
+  [[nodiscard]] std::filesystem::path summary() const { return root / "summary.csv"; }
+  [[nodiscard]] std::filesystem::path excluded() const { return root / "excluded.csv"; }
+  [[nodiscard]] std::filesystem::path checkpoint() const { return root / "checkpoint.vtp"; }
+  [[nodiscard]] std::filesystem::path profiles() const { return root / "profiles"; }
+  [[nodiscard]] std::filesystem::path report() const { return root / "report"; }
+  [[nodiscard]] std::filesystem::path foam() const { return root / "foam"; }
+  [[nodiscard]] std::filesystem::path foam_profiles() const { return root / "foam" / "profiles"; }
+};
+
+}  // namespace thalweg

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+
+namespace thalweg {
+
+/// Constants of a sediment as a case file gives them (SI, angles in rad). Defaults that differ from the source paper
+/// are named where they differ; NAN marks what a case has to give. Source: Zhang, Xiong & Liu 2024, J. Hunan Univ.
+/// (Nat. Sci.) 51(3), 69-80, called "the paper".
+struct SedimentParameters {
+  double grain_density = NAN;   // [kg/m^3]
+  double porosity = NAN;        // [-]
+  double grain_diameter = NAN;  // [m] d50
+  double friction_angle = NAN;  // [rad]
+  double cohesion = 0;          // [Pa]
+  double pore_density = 1000;   // [kg/m^3] of what fills the pores; 0 for a dry bed
+  double consistency = 1.5e-3;  // [Pa s^n]
+  double flow_index = 1;        // [-]
+  double regularisation = 100;  // [s]
+
+  /// Density of the bed as a whole, grains and what fills the pores [kg/m^3].
+  [[nodiscard]] double bed_density() const { return porosity * pore_density + (1 - porosity) * grain_density; }
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.quantity("grain_density", grain_density, "kg/m^3", 1001, 30000,
+               "Density of the grains themselves; Shields number and settling use this one.");
+    v.number("porosity", porosity, 0, 0.95,
+             "Share of the bed's volume that is pores; bed density = porosity * pore density + (1 - porosity) * grain "
+             "density.");
+    v.quantity("grain_diameter", grain_diameter, "m", 1e-6, 0.5, "Median grain diameter d50.");
+    v.quantity("friction_angle", friction_angle, "rad", 0, 1.2, "Angle of internal friction.");
+    v.quantity("cohesion", cohesion, "Pa", 0, 1e7, "Cohesion: yield stress without any effective pressure.");
+    v.quantity("pore_density", pore_density, "kg/m^3", 0, 2000,
+               "Density of the fluid in the pores: water for a saturated bed (default), 0 for a dry one.");
+    v.quantity("consistency", consistency, "Pa s", 0, 1e6,
+               "Consistency of the yielded sediment (Herschel-Bulkley). Default 1.5e-3: a light slurry, so that "
+               "erosion laws can act; the paper's is 0.001 m^2/s times the density.");
+    v.number("flow_index", flow_index, 0.2, 3,
+             "Exponent n of the yielded sediment: 1 Bingham (default), 1.8 in the paper.");
+    v.quantity("regularisation", regularisation, "s", 1e-3, 1e6,
+               "Papanastasiou's m: how sharply the viscosity rises below yield.");
+  }
+};
+
+}  // namespace thalweg
