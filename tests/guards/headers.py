@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Checks that every header compiles alone: headers.py ROOT BUILD
+
+A header is given to the compiler with the flags of the translation units of its room, taken from BUILD's
+compile_commands.json, so that it sees what they see and nothing that another header happens to include first.
+"""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+
+from source_tree import report, sources
+
+KEPT_WITH_VALUE = ("-I", "-isystem", "-D")
+KEPT_PREFIXES = ("-I", "-isystem", "-D", "-W", "-std=", "-f")
+
+
+def flags_of(command):
+    """The compiler and those of its flags that decide whether a header compiles."""
+    words = shlex.split(command)
+    compiler = next(word for word in words if pathlib.Path(word).name != "ccache")
+    kept, take_next = [], False
+    for word in words[words.index(compiler) + 1:]:
+        if take_next or word.startswith(KEPT_PREFIXES):
+            kept.append(word)
+        take_next = not take_next and word in KEPT_WITH_VALUE
+    return compiler, kept
+
+
+def flags_by_room(root, build):
+    """For each first folder the union of its units' flags, in the order they first appear."""
+    rooms = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = pathlib.Path(entry["directory"], entry["file"]).resolve()
+        if not path.is_relative_to(root) or path.suffix != ".cpp":
+            continue
+        compiler, flags = flags_of(entry["command"])
+        room = rooms.setdefault(path.relative_to(root).parts[0], (compiler, {}))
+        room[1].update(dict.fromkeys(pair_up(flags)))
+    return {room: (compiler, [word for pair in pairs for word in pair]) for room, (compiler, pairs) in rooms.items()}
+
+
+def pair_up(flags):
+    """Flags as tuples, so that "-isystem folder" stays together when duplicates go."""
+    words = iter(flags)
+    return [(word, next(words)) if word in KEPT_WITH_VALUE else (word,) for word in words]
+
+
+def compile_alone(root, header, compiler, flags):
+    """The compiler's first error, or nothing. The header comes from an include, as a unit would see it."""
+    result = subprocess.run([compiler, *flags, "-fsyntax-only", "-x", "c++", "-"], input=f'#include "{header}"\n',
+                            capture_output=True, text=True, cwd=root)
+    if result.returncode == 0:
+        return None
+    first = next((line for line in result.stderr.splitlines() if "error" in line), result.stderr.strip())
+    return f"{header}:1: does not compile alone ({first}); include what it uses"
+
+
+def check(root, build):
+    root, build = pathlib.Path(root).resolve(), pathlib.Path(build).resolve()
+    rooms = flags_by_room(root, build)
+    headers = [path.relative_to(root).as_posix() for path in sources(root, (".hpp",))]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
+        jobs = []
+        for header in headers:
+            room = header.split("/")[0]
+            if room not in rooms:
+                return [f"{header}:1: no unit of {room} is in {build.name}/compile_commands.json; configure first"], 1
+            jobs.append(workers.submit(compile_alone, root, header, *rooms[room]))
+        return [violation for job in jobs if (violation := job.result())], len(headers)
+
+
+if __name__ == "__main__":
+    sys.exit(report(*check(sys.argv[1], sys.argv[2])))
