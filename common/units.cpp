@@ -1,0 +1,133 @@
+#include "common/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+#include "common/error.hpp"
+
+namespace thalweg {
+namespace {
+
+struct Release {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+  void operator()(ut_system* system) const { ut_free_system(system); }
+};
+using Unit = std::unique_ptr<ut_unit, Release>;
+using Converter = std::unique_ptr<cv_converter, Release>;
+
+// UDUNITS keeps its status and its system in globals of its own; one lock around every use makes it safe for threads.
+std::mutex& lock() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+const ut_system* unit_system() {
+  static const std::unique_ptr<ut_system, Release> system = [] {
+    ut_set_error_message_handler(ut_ignore);  // our exceptions say it
+    std::unique_ptr<ut_system, Release> read(ut_read_xml(nullptr));
+    if (!read) {
+      throw RunError(
+          "the units database of UDUNITS cannot be read; install libudunits2-data or let UDUNITS2_XML_PATH name "
+          "udunits2.xml");
+    }
+    const Unit degree(ut_parse(read.get(), "arc_degree", UT_ASCII));
+    ut_map_name_to_unit("deg", UT_ASCII, degree.get());  // UDUNITS itself knows only "degree" and "arcdeg"
+    return read;
+  }();
+  return system.get();
+}
+
+Unit parse_unit(std::string_view name) { return Unit(ut_parse(unit_system(), std::string(name).c_str(), UT_UTF8)); }
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// "mm 3" or "3 mm": UDUNITS reads further numbers as a scale, which nobody means.
+bool holds_loose_number(std::string_view unit) {
+  bool at_start = true;
+  for (const char c : unit) {
+    const bool numeric = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
+    if (at_start && numeric) return true;
+    at_start = std::isspace(static_cast<unsigned char>(c)) != 0;
+  }
+  return false;
+}
+
+double convert(double value, const Unit& from, const Unit& to) {
+  const Converter converter(ut_get_converter(from.get(), to.get()));
+  return cv_convert_double(converter.get(), value);
+}
+
+[[noreturn]] void reject(const std::string& message) { throw std::invalid_argument(message); }
+
+}  // namespace
+
+double parse_quantity(std::string_view text, std::string_view si_unit) {
+  const std::string_view content = trimmed(text);
+  const std::string_view digits = content.starts_with('+') ? content.substr(1) : content;
+  double number = 0;
+  const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (status == std::errc::result_out_of_range)
+    reject(fmt::format("\"{}\" is too large or too small a number; check it", text));
+  if (status != std::errc{}) {
+    reject(
+        fmt::format("\"{}\" does not begin with a number; write a number and a unit, such as \"1 {}\"", text, si_unit));
+  }
+  if (!std::isfinite(number)) reject(fmt::format("\"{}\" is not finite; write a finite number", text));
+
+  const std::string_view unit_name = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
+  if (unit_name.empty()) reject(fmt::format("\"{0}\" has no unit; add one, such as \"{0} {1}\"", content, si_unit));
+  const std::string cure = fmt::format("give it in {} or a unit that converts to it", si_unit);
+  const std::scoped_lock guard(lock());
+  const Unit unit = holds_loose_number(unit_name) ? nullptr : parse_unit(unit_name);
+  if (!unit) reject(fmt::format("\"{}\" is not a unit; {}", unit_name, cure));
+  const Unit si = parse_unit(si_unit);
+  if (ut_are_convertible(unit.get(), si.get()) == 0)
+    reject(fmt::format("\"{}\" does not measure {}; {}", unit_name, si_unit, cure));
+  const double value = convert(number, unit, si);
+  if (!std::isfinite(value)) reject(fmt::format("\"{}\" is not finite in {}; check it", text, si_unit));
+  return value;
+}
+
+std::string format_quantity(double si_value, std::string_view si_unit) {
+  struct Ladder {
+    std::string_view si_unit;
+    std::array<std::string_view, 5> units;  // from large to small; the first in which the value is at least 1 is taken
+  };
+  static constexpr std::array ladders{
+      Ladder{"m", {"km", "m", "cm", "mm", "um"}},
+      Ladder{"s", {"h", "min", "s", "ms", "us"}},
+      Ladder{"Pa", {"MPa", "kPa", "Pa"}},
+      Ladder{"rad", {"deg"}},
+  };
+  for (const Ladder& ladder : ladders) {
+    if (ladder.si_unit != si_unit || si_value == 0 || !std::isfinite(si_value)) continue;
+    const std::scoped_lock guard(lock());
+    const Unit si = parse_unit(si_unit);
+    std::string_view unit;
+    double value = 0;
+    for (const std::string_view candidate : ladder.units) {
+      if (candidate.empty()) break;
+      unit = candidate;
+      value = convert(si_value, si, parse_unit(candidate));
+      if (std::abs(value) >= 1 - 1e-9) break;
+    }
+    return fmt::format("{:.4g} {}", value, unit);
+  }
+  return fmt::format("{:.4g} {}", si_value, si_unit);
+}
+
+}  // namespace thalweg
