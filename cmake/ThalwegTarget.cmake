@@ -17,7 +17,8 @@ endif()
 # with the project's warnings and include root.
 function(thalweg_settings target)
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+  # -Wno-restrict: GCC 12 reports it wrongly inside std::string (GCC bug 105329).
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-restrict -Werror)
   target_compile_definitions(${target} PRIVATE THALWEG_VERSION="${PROJECT_VERSION}")
 endfunction()
 

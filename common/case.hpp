@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/particles.hpp"
+#include "solver/physics/drucker_prager.hpp"
 #include "solver/physics/sediment_parameters.hpp"
 
 /// What a case file can say. Every table is a struct whose describe() declares each key once: name, member, unit,
@@ -53,9 +54,9 @@ struct CaseInfo {
 };
 
 struct Domain {
-  Vec3 from = Vec3::Zero();   // [m]
-  Vec3 to = Vec3::Zero();     // [m]
-  Vec3 gravity{0, 0, -9.81};  // [m/s^2]
+  Vec3 from = Vec3::Constant(required);  // [m]
+  Vec3 to = Vec3::Constant(required);    // [m]
+  Vec3 gravity{0, 0, -9.81};             // [m/s^2]
   std::vector<std::string> periodic;
 
   template <class V>
@@ -141,8 +142,6 @@ struct WaterParameters {
 };
 
 enum class SedimentModel { off, viscoplastic };
-enum class YieldFit { sine, outer, inner, plane_strain, paper };
-enum class Erosion { off };
 
 inline constexpr std::array<Choice<SedimentModel>, 2> choices(SedimentModel) {
   return {{{SedimentModel::off, "off", "no sediment in the scene"},

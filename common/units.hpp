@@ -11,6 +11,6 @@ namespace thalweg {
 double parse_quantity(std::string_view text, std::string_view si_unit);
 
 /// "0.005 m" → a short text in the unit people write it in (mm, cm, ms …), for logs and reports: "5 mm".
-std::string format_quantity(double si_value, std::string_view si_unit);
+std::string format_quantity(double value, std::string_view si_unit);
 
 }  // namespace thalweg

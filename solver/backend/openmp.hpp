@@ -1,0 +1,215 @@
+#pragma once
+
+#include <omp.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "solver/backend/buffer.hpp"
+#include "solver/backend/pack.hpp"
+#include "solver/cluster_list.hpp"
+
+namespace thalweg {
+
+/// Sorts `order` (any integers) by `key`, keeping the order of equal keys; key is sorted along. (openmp_sort.cpp)
+void stable_sort_by_key(HostBuffer<std::uint64_t>& key, HostBuffer<Index>& order);
+
+/// CPU cores through OpenMP: the verbs every backend offers. W is the number of pairs a sweep computes at a time.
+/// All results are independent of the number of threads, bit for bit.
+template <int W = native_width>
+struct OpenMp {
+  static constexpr int width = W;
+  template <class T>
+  using Buffer = HostBuffer<T>;
+
+  int threads = omp_get_max_threads();
+
+  /// Adds to a counter that several particles may share; integers, so that the sum does not depend on the order.
+  static void atomic_add(std::int64_t* counter, std::int64_t amount) {
+    __atomic_fetch_add(counter, amount, __ATOMIC_RELAXED);
+  }
+
+  /// body(i) for i in [0, n): the particle pass.
+  template <class Body>
+  void for_each(Index n, const Body& body) const {
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (Index i = 0; i < n; ++i) body(i);
+  }
+
+  /// combine(… combine(combine(start, of(0)), of(1)) …), over blocks of a fixed size so that rounding does not depend
+  /// on the threads. T is copied freely; combine is associative up to rounding.
+  template <class T, class Of, class Combine>
+  T reduce(Index n, T start, const Of& of, const Combine& combine) const {
+    constexpr Index block = 2048;
+    const Index blocks = (n + block - 1) / block;
+    std::vector<T> partial(blocks, start);
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (Index b = 0; b < blocks; ++b) {
+      T sum = start;
+      const Index end = (b + 1) * block < n ? (b + 1) * block : n;
+      for (Index i = b * block; i < end; ++i) sum = combine(sum, of(i));
+      partial[b] = sum;
+    }
+    T total = start;
+    for (const T& p : partial) total = combine(total, p);
+    return total;
+  }
+
+  /// offsets[i] = sum of counts before i, offsets[n] = total, which is returned. Counts are small, the pass is not hot.
+  Index exclusive_scan(const Buffer<Index>& counts, Buffer<Index>& offsets) const {
+    offsets.resize(counts.size() + 1);
+    Index sum = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      offsets[i] = sum;
+      sum += counts[i];
+    }
+    offsets[counts.size()] = sum;
+    return sum;
+  }
+
+  /// The indices in [0, n) for which keep(i), in order.
+  template <class Keep>
+  void select(Index n, const Keep& keep, Buffer<Index>& kept) const {
+    kept.clear();
+    for (Index i = 0; i < n; ++i) {
+      if (keep(i)) kept.push_back(i);
+    }
+  }
+
+  void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order) const { stable_sort_by_key(key, order); }
+
+  /// buffer[i] = old buffer[order[i]].
+  template <class T>
+  void reorder(Buffer<T>& buffer, const Buffer<Index>& order, Buffer<T>& scratch) const {
+    scratch.resize(buffer.size());
+    const T* from = buffer.data();
+    T* to = scratch.data();
+    const Index* source = order.data();
+    for_each(static_cast<Index>(order.size()), [=](Index i) { to[i] = from[source[i]]; });
+    for (std::size_t i = order.size(); i < buffer.size(); ++i) to[i] = from[i];
+    buffer.swap(scratch);
+  }
+
+  /// The pair sweep: for every particle i of the visited clusters, body.end(i, sum over j of body.pair(i, j)).
+  ///
+  ///   Body::quads                                 which quads of a record pair() reads (Quads)
+  ///   Body::Sum<L>                                a struct of L's that starts at zero
+  ///   pair(a, b, separation, entry, sum)          lane-typed and branch-free; arrays with one number a pair keep this
+  ///                                               one (these, of a pack) at `entry` (lane_load, lane_store)
+  ///   end(i, Sum<float>)                          once a particle
+  ///
+  /// Four particles (a cluster) meet W/4 neighbours at a time; a neighbour's record is read once for all four.
+  template <int Dim, class Body>
+  void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+             const Body& body) const {
+#pragma omp parallel for schedule(dynamic, 32) num_threads(threads)
+    for (Index n = 0; n < range.count; ++n) sweep_cluster<Dim>(list, range[n], records, quantum, body);
+  }
+
+ private:
+  using L = Pack<W>;
+  using I = IntPack<W>;
+  template <int Dim>
+  using LaneOf = Lane<Dim, L, I>;
+
+  /// The quads a body asks for, of the records whose quads `quad_of(q)` yields as one pack.
+  template <int Dim, unsigned quads, class QuadOf>
+  static LaneOf<Dim> read_lane(const QuadOf& quad_of) {
+    LaneOf<Dim> lane{};
+    const L place = quad_of(0);
+    read_places<Dim>(place, lane);
+    lane.volume = splat_in_groups<3>(place);
+    if constexpr ((quads & quad_motion) != 0) {
+      const L motion = quad_of(1);
+      lane.velocity = read_vector<Dim>(motion);
+      lane.pressure = splat_in_groups<3>(motion);
+    }
+    if constexpr ((quads & quad_matter) != 0) {
+      const L matter = quad_of(2);
+      lane.excess = splat_in_groups<0>(matter);
+      lane.viscosity = splat_in_groups<1>(matter);
+      lane.phase = splat_in_groups<2>(matter);
+    }
+    if constexpr ((quads & quad_work) != 0) lane.work = read_vector<Dim>(quad_of(3));
+    return lane;
+  }
+
+  template <int Dim>
+  static Vec<Dim, L> read_vector(const L& quad) {
+    Vec<Dim, L> v{};
+    v[0] = splat_in_groups<0>(quad);
+    if constexpr (Dim == 3) v[1] = splat_in_groups<1>(quad);
+    v[Dim - 1] = splat_in_groups<2>(quad);
+    return v;
+  }
+
+  template <int Dim>
+  static void read_places(const L& quad, LaneOf<Dim>& lane) {
+    const Vec<Dim, L> bits = read_vector<Dim>(quad);
+    for (int k = 0; k < Dim; ++k) lane.place[k].v = (typename I::Vector)bits[k].v;
+  }
+
+  /// The four particles of a cluster in the lanes of every group: the transpose of what read_lane does for neighbours.
+  template <int Dim, unsigned quads>
+  static LaneOf<Dim> read_cluster(const Record* records, const std::array<Index, cluster_size>& member) {
+    LaneOf<Dim> lane{};
+    const auto gather = [&](auto field) {
+      Quad q{};
+      for (Index l = 0; l < cluster_size; ++l) q[l] = field(records[member[l]]);
+      return repeat_quad<W>(q);
+    };
+    for (int k = 0; k < Dim; ++k) {
+      const L bits = gather([k](const Record& r) { return std::bit_cast<float>(r.place[axis<Dim>(k)]); });
+      lane.place[k].v = (typename I::Vector)bits.v;
+      lane.velocity[k] = gather([k](const Record& r) { return r.velocity[axis<Dim>(k)]; });
+      lane.work[k] = gather([k](const Record& r) { return r.work[axis<Dim>(k)]; });
+    }
+    lane.volume = gather([](const Record& r) { return r.volume; });
+    lane.pressure = gather([](const Record& r) { return r.pressure; });
+    lane.excess = gather([](const Record& r) { return r.excess; });
+    lane.viscosity = gather([](const Record& r) { return r.viscosity; });
+    lane.phase = gather([](const Record& r) { return r.phase; });
+    return lane;
+  }
+
+  template <int Dim, class Body>
+  static void sweep_cluster(const ClusterList& list, Index cluster, const Record* records,
+                            const Vec<Dim, float>& quantum, const Body& body) {
+    constexpr int groups = W / 4;
+
+    const Index first = list.first(cluster);
+    const Index last = list.last(cluster);
+    std::array<Index, cluster_size> member{};
+    for (Index l = 0; l < cluster_size; ++l) member[l] = first + l < last ? first + l : last - 1;
+    const LaneOf<Dim> a = read_cluster<Dim, Body::quads>(records, member);
+
+    typename Body::template Sum<L> sum{};
+    const Index end = list.begin[cluster + 1];
+    for (Index e = list.begin[cluster]; e < end; e += groups) {
+      const Index* j = list.entries + e;
+      for (int g = 0; g < groups; ++g) __builtin_prefetch(records + j[list_prefetch + g]);
+      const LaneOf<Dim> b = read_lane<Dim, Body::quads>([&](int q) {
+        return join_quads<W>([&](int g) { return reinterpret_cast<const Quad*>(records + j[g]) + q; });
+      });
+      Separation<Dim, L> s{};
+      for (int k = 0; k < Dim; ++k) s.r[k] = to_float(a.place[k] - b.place[k]) * L(quantum[k]);
+      s.r2 = dot(s.r, s.r);
+      body.pair(a, b, s, std::size_t{e} * cluster_size, sum);
+    }
+
+    using Packs = std::array<L, sizeof(sum) / sizeof(L)>;
+    const auto packs = std::bit_cast<Packs>(sum);
+    std::array<std::array<float, packs.size()>, cluster_size> scalar{};
+    for (std::size_t f = 0; f < packs.size(); ++f) {
+      const Quad total = sum_groups(packs[f]);
+      for (Index l = 0; l < cluster_size; ++l) scalar[l][f] = total[l];
+    }
+    for (Index l = 0; l < last - first; ++l) {
+      body.end(first + l, std::bit_cast<typename Body::template Sum<float>>(scalar[l]));
+    }
+  }
+};
+
+}  // namespace thalweg

@@ -1,0 +1,13 @@
+#include <thrust/execution_policy.h>
+#include <thrust/sort.h>
+#include <thrust/system/omp/execution_policy.h>
+
+#include "solver/backend/openmp.hpp"
+
+namespace thalweg {
+
+void stable_sort_by_key(HostBuffer<std::uint64_t>& key, HostBuffer<Index>& order) {
+  thrust::stable_sort_by_key(thrust::omp::par, key.begin(), key.end(), order.begin());
+}
+
+}  // namespace thalweg

@@ -1,0 +1,207 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#if defined(__AVX512F__) || defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#include "solver/physics/lane_math.hpp"
+
+// Several pairs at a time on a CPU: W floats in one register. A pack is W/4 groups of four lanes; in a sweep group g
+// holds neighbour g and lane l within every group holds particle l of the cluster (solver/backend/openmp.hpp).
+// Built on the compiler's vector types, so that SSE, AVX2, AVX-512 and NEON share this text; the few operations the
+// compiler does not turn into one instruction by itself are spelled out below.
+namespace thalweg {
+
+/// The widest pack the instruction set of this translation unit holds.
+#if defined(__AVX512F__)
+inline constexpr int native_width = 16;
+#elif defined(__AVX2__)
+inline constexpr int native_width = 8;
+#else
+inline constexpr int native_width = 4;
+#endif
+
+template <int W>
+struct Registers;
+template <>
+struct Registers<4> {
+  typedef float Floats __attribute__((vector_size(16)));
+  typedef std::int32_t Integers __attribute__((vector_size(16)));
+};
+template <>
+struct Registers<8> {
+  typedef float Floats __attribute__((vector_size(32)));
+  typedef std::int32_t Integers __attribute__((vector_size(32)));
+};
+template <>
+struct Registers<16> {
+  typedef float Floats __attribute__((vector_size(64)));
+  typedef std::int32_t Integers __attribute__((vector_size(64)));
+};
+
+template <int W>
+struct IntPack {
+  using Vector = typename Registers<W>::Integers;
+  Vector v;
+
+  friend IntPack operator-(IntPack a, IntPack b) { return {a.v - b.v}; }
+  friend IntPack operator&(IntPack a, IntPack b) { return {a.v & b.v}; }
+};
+
+template <int W>
+struct Pack {
+  using Vector = typename Registers<W>::Floats;
+  Vector v;
+
+  Pack() = default;
+  Pack(Vector vector) : v(vector) {}
+  Pack(float value) : v(value - Vector{}) {}
+
+  friend Pack operator+(Pack a, Pack b) { return a.v + b.v; }
+  friend Pack operator-(Pack a, Pack b) { return a.v - b.v; }
+  friend Pack operator*(Pack a, Pack b) { return a.v * b.v; }
+  friend Pack operator-(Pack a) { return -a.v; }
+  Pack& operator+=(Pack b) { return *this = *this + b; }
+
+  friend IntPack<W> operator<(Pack a, Pack b) { return {a.v < b.v}; }
+  friend IntPack<W> operator>(Pack a, Pack b) { return {a.v > b.v}; }
+  friend IntPack<W> operator==(Pack a, Pack b) { return {a.v == b.v}; }
+};
+
+template <int W>
+inline Pack<W> lane_select(IntPack<W> condition, Pack<W> yes, Pack<W> no) {
+  return condition.v ? yes.v : no.v;
+}
+
+template <int W>
+inline Pack<W> to_float(IntPack<W> a) {
+  return __builtin_convertvector(a.v, typename Pack<W>::Vector);
+}
+HOST_DEVICE inline float to_float(std::int32_t a) { return static_cast<float>(a); }
+
+template <int W>
+inline Pack<W> lane_max(Pack<W> a, Pack<W> b) {
+  return a.v > b.v ? a.v : b.v;
+}
+template <int W>
+inline Pack<W> lane_min(Pack<W> a, Pack<W> b) {
+  return a.v < b.v ? a.v : b.v;
+}
+template <int W>
+inline Pack<W> lane_abs(Pack<W> a) {
+  return lane_max(a, -a);
+}
+template <int W>
+inline Pack<W> lane_reciprocal(Pack<W> a) {
+  return Pack<W>(1.0F).v / a.v;
+}
+template <int W>
+inline Pack<W> lane_sqrt(Pack<W> a) {
+  Pack<W> out;
+  for (int k = 0; k < W; ++k) out.v[k] = __builtin_sqrtf(a.v[k]);
+  return out;
+}
+
+// Estimates refined by one Newton step: relative error below 2e-7, a third of the cost of division and square root.
+#if defined(__AVX512F__)
+template <>
+inline Pack<16> lane_max(Pack<16> a, Pack<16> b) {
+  return Pack<16>::Vector(_mm512_max_ps(a.v, b.v));
+}
+template <>
+inline Pack<16> lane_min(Pack<16> a, Pack<16> b) {
+  return Pack<16>::Vector(_mm512_min_ps(a.v, b.v));
+}
+template <>
+inline Pack<16> lane_reciprocal(Pack<16> a) {
+  const Pack<16> x = Pack<16>::Vector(_mm512_rcp14_ps(a.v));
+  return x * (Pack<16>(2.0F) - a * x);
+}
+template <>
+inline Pack<16> lane_sqrt(Pack<16> a) {
+  // a * rsqrt(a); the bound keeps a = 0 from becoming 0 * inf.
+  const Pack<16> bounded = lane_max(a, Pack<16>(1e-30F));
+  const Pack<16> x = Pack<16>::Vector(_mm512_rsqrt14_ps(bounded.v));
+  return a * x * (Pack<16>(1.5F) - Pack<16>(0.5F) * bounded * x * x);
+}
+#endif
+#if defined(__AVX2__)
+template <>
+inline Pack<8> lane_max(Pack<8> a, Pack<8> b) {
+  return Pack<8>::Vector(_mm256_max_ps(a.v, b.v));
+}
+template <>
+inline Pack<8> lane_min(Pack<8> a, Pack<8> b) {
+  return Pack<8>::Vector(_mm256_min_ps(a.v, b.v));
+}
+template <>
+inline Pack<8> lane_sqrt(Pack<8> a) {
+  return Pack<8>::Vector(_mm256_sqrt_ps(a.v));
+}
+#endif
+
+template <int W>
+inline void lane_store(float* to, Pack<W> a) {
+  __builtin_memcpy(to, &a.v, sizeof(a.v));
+}
+template <int W>
+inline void lane_load(const float* from, Pack<W>& a) {
+  __builtin_memcpy(&a.v, from, sizeof(a.v));
+}
+
+/// Four neighbouring floats of a record; may_alias because a record's first three are integers.
+using Quad = float __attribute__((vector_size(16), may_alias));
+
+namespace detail {
+template <std::size_t k, class Vector, std::size_t... i>
+inline Vector splat_in_groups(Vector q, std::index_sequence<i...>) {
+  return __builtin_shufflevector(q, q, int(i / 4 * 4 + k)...);
+}
+template <class Wide, class Narrow, std::size_t... i>
+inline Wide join(Narrow low, Narrow high, std::index_sequence<i...>) {
+  return __builtin_shufflevector(low, high, int(i)...);
+}
+}  // namespace detail
+
+/// Entry k of every group of four, spread over its group.
+template <std::size_t k, int W>
+inline Pack<W> splat_in_groups(Pack<W> q) {
+  return detail::splat_in_groups<k>(q.v, std::make_index_sequence<W>{});
+}
+
+/// W/4 quads read from the addresses `from(g)`, side by side.
+template <int W, class From>
+inline Pack<W> join_quads(const From& from) {
+  if constexpr (W == 4) {
+    return typename Pack<4>::Vector(*from(0));
+  } else {
+    using Half = typename Pack<W / 2>::Vector;
+    const Half low = join_quads<W / 2>(from).v;
+    const Half high = join_quads<W / 2>([&](int g) { return from(g + W / 8); }).v;
+    return detail::join<typename Pack<W>::Vector>(low, high, std::make_index_sequence<W>{});
+  }
+}
+
+/// The same quad in every group.
+template <int W>
+inline Pack<W> repeat_quad(Quad q) {
+  return join_quads<W>([&](int) { return &q; });
+}
+
+/// Lane-wise sum over the groups: entry l is the sum of what particle l met.
+template <int W>
+inline Quad sum_groups(Pack<W> a) {
+  if constexpr (W == 4) {
+    return a.v;
+  } else {
+    using Half = typename Pack<W / 2>::Vector;
+    const auto* halves = reinterpret_cast<const Half*>(&a.v);
+    return sum_groups(Pack<W / 2>(halves[0] + halves[1]));
+  }
+}
+
+}  // namespace thalweg

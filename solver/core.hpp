@@ -1,0 +1,215 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <string>
+#include <utility>
+
+#include "solver/simulation.hpp"
+
+namespace thalweg {
+
+/// Names of the arrays that only checkpoints have: the state that a looked-at file would round or leave out.
+namespace checkpoint_array {
+inline constexpr const char* excess = "Excess";
+inline constexpr const char* listed_at = "ListedAt";  // three integers kept as doubles, exact
+}  // namespace checkpoint_array
+
+/// The simulation in dimension Dim on Device: particles on the device and the step over them.
+template <int Dim, class Device>
+class SimulationOn final : public Simulation {
+ public:
+  SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from)
+      : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
+    load(from);
+    const auto listed = from.doubles.find(checkpoint_array::listed_at);
+    if (listed != from.doubles.end()) restore_lists(listed->second);
+  }
+
+  StepReport advance(double longest) override {
+    StepResult r = thalweg::advance(on_, p_, scene_, work_, longest, timing_);
+    StepReport report;
+    report.dt = r.step.dt;
+    report.limiter = r.step.limiter;
+    report.largest_speed = std::sqrt(double(r.step.extremes.speed2));
+    report.largest_acceleration = std::sqrt(double(r.step.extremes.acceleration2));
+    report.largest_excess = double(r.step.extremes.excess);
+    report.viscous = r.viscous;
+    report.diverged = has_diverged(r);
+    report.excluded = std::move(r.excluded);
+    return report;
+  }
+
+  Totals totals() override { return sum_totals(on_, p_, scene_); }
+  const Timing& timing() const override { return timing_; }
+  Timing& timing() override { return timing_; }
+
+  SimulationFacts facts() override {
+    SimulationFacts f;
+    f.particles = p_.count;
+    f.fluid_particles = p_.fluid_count;
+    f.list_rebuilds = work_.list_rebuilds;
+    f.device = name_;
+    if (p_.count == 0) return f;
+    f.list_entries_per_particle = double(p_.list_entries.size()) / p_.count;
+    const double bytes = double(p_.record.size() * sizeof(Record) + p_.position.size() * sizeof(Position) +
+                                p_.count * (sizeof(float) + sizeof(std::int64_t) + 1 + sizeof(Rates) + sizeof(Place)) +
+                                p_.sediment.size() * sizeof(Sediment) + p_.list_entries.size() * sizeof(Index) +
+                                work_.viscous.coefficient.size() * sizeof(float) +
+                                work_.viscous.row.size() * sizeof(typename ViscousSystem<Device>::Row));
+    f.bytes_per_particle = bytes / p_.count;
+    f.neighbours_mean = mean_neighbours();
+    return f;
+  }
+
+  ParticleSet snapshot() override {
+    ParticleSet out;
+    copy_common(out);
+    return out;
+  }
+
+  ParticleSet full_state() override {
+    ParticleSet out;
+    copy_common(out);
+    auto& excess = out.scalars[checkpoint_array::excess];
+    auto& listed = out.doubles[checkpoint_array::listed_at];
+    excess.resize(p_.count);
+    listed.resize(3 * p_.listed_at.size());
+    for (Index i = 0; i < p_.count; ++i) excess[i] = p_.record[i].excess;
+    for (std::size_t i = 0; i < p_.listed_at.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) listed[3 * i + c] = p_.listed_at[i].c[c];
+    }
+    return out;
+  }
+
+ private:
+  void load(const ParticleSet& from) {
+    const auto n = static_cast<Index>(from.size());
+    p_.count = n;
+    p_.record.assign(n + std::size_t{1}, Record{});
+    p_.position.resize(n);
+    p_.mass.assign(from.mass.begin(), from.mass.end());
+    p_.id.assign(from.id.begin(), from.id.end());
+    p_.type.resize(n);
+    p_.rates.assign(n, Rates{});
+    if (scene_.has_sediment) p_.sediment.assign(n, Sediment{});
+    const auto exact_excess = from.scalars.find(checkpoint_array::excess);
+    const auto strain = from.scalars.find("StrainRate");
+    Index fluid = 0;
+    for (Index i = 0; i < n; ++i) {
+      Record& r = p_.record[i];
+      const auto type = from.type[i];
+      p_.type[i] = static_cast<std::uint8_t>(type);
+      r.phase = type == ParticleType::sediment ? phase_sediment
+                : type == ParticleType::water  ? phase_water
+                                               : phase_wall;
+      for (int c = 0; c < 3; ++c) {
+        p_.position[i].x[c] = from.position[i][c];
+        if (!from.velocity.empty()) r.velocity[c] = from.velocity[i][c];
+      }
+      for (int k = 0; k < Dim; ++k) {
+        const int c = axis<Dim>(k);
+        r.place[c] = scene_.lattice.place(k, p_.position[i].x[c]);
+      }
+      if (!from.pressure.empty()) r.pressure = from.pressure[i];
+      if (r.phase == phase_wall) {
+        r.volume = static_cast<float>(std::pow(scene_.spacing, Dim));
+        continue;
+      }
+      ++fluid;
+      const double rho0 = scene_.density_at_rest(r.phase);
+      r.excess = exact_excess != from.scalars.end() ? exact_excess->second[i]
+                                                    : static_cast<float>(double(from.density[i]) / rho0 - 1);
+      r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
+      if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
+      if (scene_.has_sediment && strain != from.scalars.end()) p_.sediment[i].strain_rate = strain->second[i];
+    }
+    p_.fluid_count = fluid;
+  }
+
+  /// A checkpoint holds the particles in list order: lists are built for the places they were built for, which makes
+  /// the continued run the same, bit for bit, as one that never stopped.
+  void restore_lists(const std::vector<double>& listed) {
+    p_.listed_at.resize(p_.count);
+    HostBuffer<Place> now(p_.count);
+    for (Index i = 0; i < p_.count; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        now[i].c[c] = p_.record[i].place[c];
+        p_.listed_at[i].c[c] = static_cast<std::int32_t>(listed[3 * std::size_t{i} + c]);
+        p_.record[i].place[c] = p_.listed_at[i].c[c];
+      }
+    }
+    neighbours::build_lists(on_, p_, scene_);
+    for (Index i = 0; i < p_.count; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) p_.record[i].place[c] = now[i].c[c];
+    }
+  }
+
+  void copy_common(ParticleSet& out) {
+    const std::size_t n = p_.count;
+    out.id.assign(p_.id.begin(), p_.id.end());
+    out.mass.assign(p_.mass.begin(), p_.mass.end());
+    out.type.resize(n);
+    out.position.resize(n);
+    out.velocity.resize(n);
+    out.density.resize(n);
+    out.pressure.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Record& r = p_.record[i];
+      out.type[i] = static_cast<ParticleType>(p_.type[i]);
+      out.position[i] = Vec3(p_.position[i].x[0], p_.position[i].x[1], p_.position[i].x[2]);
+      out.velocity[i] = Eigen::Vector3f(r.velocity[0], r.velocity[1], r.velocity[2]);
+      out.density[i] = scene_.density_at_rest(r.phase) * (1 + r.excess);
+      out.pressure[i] = r.pressure;
+    }
+    if (!scene_.has_sediment) return;
+    auto& strain = out.scalars["StrainRate"];
+    auto& effective = out.scalars["EffectivePressure"];
+    auto& yield = out.scalars["YieldStress"];
+    out.viscosity.assign(n, scene_.water_viscosity);
+    strain.resize(n);
+    effective.resize(n);
+    yield.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (p_.record[i].phase == phase_sediment) out.viscosity[i] = p_.record[i].viscosity;
+      strain[i] = p_.sediment[i].strain_rate;
+      effective[i] = p_.sediment[i].effective_pressure;
+      yield[i] = p_.sediment[i].yield_stress;
+    }
+  }
+
+  /// Particles within the kernel's support of a fluid particle, itself included, averaged over a sample.
+  double mean_neighbours() const {
+    if (p_.fluid_count == 0 || p_.list_begin.empty()) return 0;
+    const ClusterList list = p_.list();
+    const double support2 = double(scene_.support()) * double(scene_.support());
+    const Index stride = std::max<Index>(1, p_.fluid_clusters / 1000);
+    double found = 0, particles = 0;
+    for (Index c = 0; c < p_.fluid_clusters; c += stride) {
+      for (Index i = list.first(c); i < list.last(c); ++i, ++particles) {
+        for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
+          if (list.entries[e] == p_.count) continue;
+          double r2 = 0;
+          for (int k = 0; k < Dim; ++k) {
+            const int axis_k = axis<Dim>(k);
+            const auto d =
+                static_cast<std::int32_t>(static_cast<std::uint32_t>(p_.record[i].place[axis_k]) -
+                                          static_cast<std::uint32_t>(p_.record[list.entries[e]].place[axis_k]));
+            r2 += std::pow(double(d) * double(scene_.lattice.quantum[k]), 2);
+          }
+          if (r2 < support2) found += 1;
+        }
+      }
+    }
+    return found / particles;
+  }
+
+  Device on_;
+  std::string name_;
+  Scene<Dim> scene_;
+  Particles<Device> p_;
+  Workspace<Device> work_;
+  Timing timing_;
+};
+
+}  // namespace thalweg

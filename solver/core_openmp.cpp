@@ -1,0 +1,23 @@
+// One core module per instruction set is made from this file; see make_simulation.cpp for how one is chosen.
+#include "solver/backend/openmp.hpp"
+#include "solver/core.hpp"
+
+namespace {
+
+template <int Dim>
+thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::SimulationInput& input) {
+  thalweg::OpenMp<> device;
+  if (input.threads > 0) device.threads = input.threads;
+  const char* isa = thalweg::native_width == 16 ? "AVX-512" : thalweg::native_width == 8 ? "AVX2" : "baseline";
+  std::string name = "OpenMP, " + std::string(isa) + ", " + std::to_string(device.threads) +
+                     (device.threads == 1 ? " thread" : " threads");
+  return new thalweg::SimulationOn<Dim, thalweg::OpenMp<>>(device, std::move(name), scene, *input.particles);
+}
+
+}  // namespace
+
+/// The one symbol a core module exports; the caller owns the result.
+extern "C" __attribute__((visibility("default"))) thalweg::Simulation* thalweg_make_simulation(
+    const thalweg::SimulationInput* input) {
+  return std::visit([&](const auto& scene) { return make(scene, *input); }, input->scene);
+}

@@ -1,0 +1,114 @@
+#include "solver/make_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/error.hpp"
+#include "common/units.hpp"
+#include "solver/physics/drucker_prager.hpp"
+
+namespace thalweg {
+namespace {
+
+template <int Dim>
+Vec<Dim, double> in_dimension(const Vec3& v) {
+  Vec<Dim, double> out{};
+  for (int k = 0; k < Dim; ++k) out[k] = v[axis<Dim>(k)];
+  return out;
+}
+
+SedimentScene make_sediment(const Case& from) {
+  const SedimentParameters& s = from.sediment();
+  if (from.domain.gravity.x() != 0 || from.domain.gravity.y() != 0 || from.domain.gravity.z() > 0) {
+    throw InputError(from.file.string() +
+                     ": domain.gravity: the sediment's effective pressure is the weight of what lies "
+                     "above in z; let gravity point along -z or switch model.sediment off");
+  }
+  SedimentScene out;
+  const YieldFit fit = from.model.yield_fit;
+  out.yield_coefficient = static_cast<float>(yield_pressure_coefficient(s.friction_angle, fit));
+  out.yield_cohesion = static_cast<float>(yield_cohesion_term(s.cohesion, s.friction_angle, fit));
+  out.regularisation = static_cast<float>(s.regularisation);
+  out.consistency = static_cast<float>(s.consistency);
+  out.flow_index = static_cast<float>(s.flow_index);
+  out.submerged_weight = static_cast<float>((s.bed_density() - s.pore_density) * -from.domain.gravity.z());
+  return out;
+}
+
+/// Box of the domain and of all particles (walls lie around the domain's fluid), with room for rounding.
+template <int Dim>
+void bounds(const Case& from, const ParticleSet& particles, Vec<Dim, double>& low, Vec<Dim, double>& high) {
+  low = in_dimension<Dim>(from.domain.from);
+  high = in_dimension<Dim>(from.domain.to);
+  for (const Vec3& x : particles.position) {
+    for (int k = 0; k < Dim; ++k) {
+      low[k] = std::min(low[k], x[axis<Dim>(k)] - from.numerics.spacing);
+      high[k] = std::max(high[k], x[axis<Dim>(k)] + from.numerics.spacing);
+    }
+  }
+}
+
+template <int Dim>
+Scene<Dim> make(const Case& from, const ParticleSet& particles) {
+  Scene<Dim> s;
+  const Numerics& n = from.numerics;
+  const double h = from.smoothing_length();
+  s.spacing = n.spacing;
+  s.smoothing_length = h;
+  s.list_reach = 2 * h * (1 + n.list_skin);
+  s.kernel = WendlandC2<Dim, float>(static_cast<float>(h));
+  s.singularity = static_cast<float>(0.01 * h * h);
+  s.domain_from = in_dimension<Dim>(from.domain.from);
+  s.domain_to = in_dimension<Dim>(from.domain.to);
+
+  Vec<Dim, double> low{};
+  Vec<Dim, double> high{};
+  bounds<Dim>(from, particles, low, high);
+  bool periodic[Dim] = {};
+  for (int k = 0; k < Dim; ++k) {
+    const std::string name(1, "xyz"[axis<Dim>(k)]);
+    const auto& wanted = from.domain.periodic;
+    periodic[k] = std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+    if (!periodic[k]) continue;
+    low[k] = s.domain_from[k];
+    high[k] = s.domain_to[k];
+    if (high[k] - low[k] < 2 * s.list_reach) {
+      throw InputError(fmt::format(
+          "{}: domain.periodic: the period along {} ({}) is shorter than twice the neighbour "
+          "list's reach ({}); make the domain longer or the spacing smaller",
+          from.file.string(), name, format_quantity(high[k] - low[k], "m"), format_quantity(2 * s.list_reach, "m")));
+    }
+  }
+  s.lattice = Lattice<Dim>(low, high, periodic, s.list_reach);
+
+  const double c = n.sound_speed_factor * n.maximum_speed;
+  for (int k = 0; k < Dim; ++k) s.gravity[k] = static_cast<float>(from.domain.gravity[axis<Dim>(k)]);
+  s.sound_speed = static_cast<float>(c);
+  s.water_density = static_cast<float>(from.water.density);
+  s.water_viscosity = static_cast<float>(from.water.viscosity);
+  s.sediment_density = s.water_density;
+  s.diffusion = static_cast<float>(2 * n.density_diffusion * h * c);
+  s.artificial_viscosity = static_cast<float>(n.artificial_viscosity * c * h);
+  s.cfl = n.cfl;
+  s.viscous_tolerance = n.viscous_tolerance;
+  s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
+  if (s.has_sediment) {
+    s.sediment = make_sediment(from);
+    s.sediment_density = static_cast<float>(from.sediment().bed_density());
+  }
+  return s;
+}
+
+}  // namespace
+
+AnyScene make_scene(const Case& from, const ParticleSet& particles) {
+  if (!(from.numerics.maximum_speed > 0)) {
+    throw InputError(from.file.string() +
+                     ": numerics.maximum_speed is not resolved; fill the scene again with gencase");
+  }
+  if (from.info.dimension == 3) return make<3>(from, particles);
+  return make<2>(from, particles);
+}
+
+}  // namespace thalweg

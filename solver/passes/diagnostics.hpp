@@ -1,0 +1,54 @@
+#pragma once
+
+#include "solver/particles.hpp"
+#include "solver/physics/equation_of_state.hpp"
+
+namespace thalweg {
+
+/// Sums over the fluid; 2-D: per metre of width.
+struct Totals {
+  double kinetic_energy = 0;       // [J]
+  double potential_energy = 0;     // [J] from z = 0, along gravity
+  double internal_energy = 0;      // [J] of compression from rest
+  double water_mass = 0;           // [kg]
+  double sediment_mass = 0;        // [kg]
+  double momentum[3] = {0, 0, 0};  // [kg m/s]
+
+  HOST_DEVICE Totals& operator+=(const Totals& b) {
+    kinetic_energy += b.kinetic_energy;
+    potential_energy += b.potential_energy;
+    internal_energy += b.internal_energy;
+    water_mass += b.water_mass;
+    sediment_mass += b.sediment_mass;
+    for (int c = 0; c < 3; ++c) momentum[c] += b.momentum[c];
+    return *this;
+  }
+};
+
+template <int Dim, class Device>
+Totals sum_totals(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+  const Record* records = p.record.data();
+  const Position* positions = p.position.data();
+  const float* mass = p.mass.data();
+  return on.reduce(
+      p.fluid_count, Totals{},
+      [=](Index i) {
+        Totals t;
+        const Record& r = records[i];
+        if (r.volume == 0) return t;
+        const double m = mass[i];
+        double u2 = 0;
+        for (int c = 0; c < 3; ++c) {
+          u2 += double(r.velocity[c]) * double(r.velocity[c]);
+          t.momentum[c] = m * double(r.velocity[c]);
+        }
+        t.kinetic_energy = 0.5 * m * u2;
+        for (int k = 0; k < Dim; ++k) t.potential_energy -= m * double(scene.gravity[k]) * positions[i].x[axis<Dim>(k)];
+        t.internal_energy = m * tait_energy(r.excess, scene.sound_speed);
+        (r.phase == phase_sediment ? t.sediment_mass : t.water_mass) = m;
+        return t;
+      },
+      [](Totals a, const Totals& b) { return a += b; });
+}
+
+}  // namespace thalweg

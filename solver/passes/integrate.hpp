@@ -1,0 +1,75 @@
+#pragma once
+
+#include "solver/particles.hpp"
+
+// Semi-implicit (symplectic) Euler, which is leapfrog read at the steps: velocities by the accelerations at the old
+// places, places by the new velocities, densities by the rates at the new places. One force sweep a step; second order
+// for the places, stable up to the acoustic Courant number of about 0.5 measured in tests/solver.
+namespace thalweg {
+
+/// Particle pass: velocities by the explicit accelerations.
+struct KickPass {
+  Record* records;
+  const Rates* rates;
+  float dt;
+
+  HOST_DEVICE void operator()(Index i) const {
+    for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * rates[i].acceleration[c];
+  }
+};
+
+/// Particle pass: places by the velocities; a particle that leaves the domain loses its volume and is out of every sum
+/// until the next sort drops it.
+template <int Dim>
+struct DriftPass {
+  Record* records;
+  Position* positions;
+  Scene<Dim> scene;
+  double dt;
+
+  HOST_DEVICE void operator()(Index i) const {
+    Record& r = records[i];
+    if (r.volume == 0) return;
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      double& x = positions[i].x[c];
+      x += dt * double(r.velocity[c]);
+      if (scene.lattice.periodic[k]) {
+        if (x < scene.lattice.origin[k]) x += scene.lattice.range[k];
+        if (x >= scene.lattice.origin[k] + scene.lattice.range[k]) x -= scene.lattice.range[k];
+      } else if (!(x >= scene.domain_from[k] && x <= scene.domain_to[k])) {
+        r.volume = 0;
+        r.phase = phase_wall;
+        r.pressure = 0;
+        return;
+      }
+      r.place[c] = scene.lattice.place(k, x);
+    }
+  }
+};
+
+/// Particle pass: densities by the rates at the new places.
+struct DensityPass {
+  Record* records;
+  const Rates* rates;
+  float dt;
+
+  HOST_DEVICE void operator()(Index i) const { records[i].excess += dt * rates[i].excess_rate; }
+};
+
+template <class Device>
+void kick(Device& on, Particles<Device>& p, double dt) {
+  on.for_each(p.fluid_count, KickPass{p.record.data(), p.rates.data(), static_cast<float>(dt)});
+}
+
+template <int Dim, class Device>
+void drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene, double dt) {
+  on.for_each(p.fluid_count, DriftPass<Dim>{p.record.data(), p.position.data(), scene, dt});
+}
+
+template <class Device>
+void update_density(Device& on, Particles<Device>& p, double dt) {
+  on.for_each(p.fluid_count, DensityPass{p.record.data(), p.rates.data(), static_cast<float>(dt)});
+}
+
+}  // namespace thalweg

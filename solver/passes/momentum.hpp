@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/particles.hpp"
+#include "solver/physics/pair_terms.hpp"
+
+namespace thalweg {
+
+/// Pair sweep: acceleration by pressure, artificial viscosity, water's own viscosity and gravity,
+///   rho_a du_a/dt = - sum_b V_b (P_a + P_b + Pi_ab) grad W + sum_b V_b 2 mu_w (r.grad W)/(r^2 + eps) u_ab + rho_a g
+/// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a; forces m_a du_a/dt are antisymmetric pair by pair. The viscosity
+/// of sediment, and between water and sediment, is left to passes/viscosity.hpp.
+template <int Dim>
+struct MomentumSweep {
+  static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
+  template <class L>
+  struct Sum {
+    Vec<Dim, L> force;  // per volume of a [N/m^3]
+  };
+
+  const Record* records;
+  Rates* rates;
+  Scene<Dim> scene;
+
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
+    const L inverse = lane_reciprocal(s.r2 + L(scene.singularity));
+    const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
+    const Vec<Dim, L> u = a.velocity - b.velocity;
+    const L weight = b.volume * F;
+
+    const auto same_phase = a.phase == b.phase;
+    const L rho0 = lane_select(a.phase > L(phase_water + 0.5F), L(scene.sediment_density), L(scene.water_density));
+    const L strength = lane_select(same_phase, rho0 * L(scene.artificial_viscosity), L(0.0F));
+    const L along = -weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, s.r), inverse, strength));
+
+    const auto both_water = same_phase & (a.phase < L(phase_water + 0.5F));
+    const L drag = weight * lane_select(both_water, L(2 * scene.water_viscosity), L(0.0F)) * s.r2 * inverse;
+    for (int k = 0; k < Dim; ++k) sum.force[k] += along * s.r[k] + drag * u[k];
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    const Record& r = records[i];
+    const float specific_volume = 1 / (scene.density_at_rest(r.phase) * (1 + r.excess));
+    for (int k = 0; k < Dim; ++k) {
+      rates[i].acceleration[axis<Dim>(k)] = scene.gravity[k] + sum.force[k] * specific_volume;
+    }
+  }
+};
+
+template <int Dim, class Device>
+void compute_accelerations(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  on.template sweep<Dim>(p.list(), p.all_fluid(), p.record.data(), scene.lattice.quantum,
+                         MomentumSweep<Dim>{p.record.data(), p.rates.data(), scene});
+}
+
+}  // namespace thalweg

@@ -1,0 +1,363 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/backend/pack.hpp"
+#include "solver/morton.hpp"
+#include "solver/particles.hpp"
+
+// Neighbour lists: particles are sorted along a Morton curve of cells one list reach wide, and every cluster of four
+// consecutive ones gets one list of all particles within reach of any of them. The reach exceeds the kernel's support
+// by a skin, so that a list serves until some particle has crossed half the skin.
+namespace thalweg {
+
+/// A particle taken out of the run.
+struct ExcludedParticle {
+  std::int64_t id;
+  std::uint8_t type;
+  Position position;
+  float velocity[3];
+};
+
+namespace neighbours {
+
+inline constexpr std::uint64_t wall_section = std::uint64_t{1} << 62;
+inline constexpr std::uint64_t excluded_section = std::uint64_t{1} << 63;
+inline constexpr int fine_bits =
+    3;  // a list cell is ordered inside by eighths, so that four in a row lie close together
+
+template <int Dim>
+HOST_DEVICE inline Vec<Dim, std::uint32_t> cell_of(const Lattice<Dim>& lattice, const std::int32_t* place, int bits) {
+  Vec<Dim, std::uint32_t> cell{};
+  for (int k = 0; k < Dim; ++k) {
+    cell[k] = Lattice<Dim>::part(place[axis<Dim>(k)], static_cast<std::uint64_t>(lattice.cells[k]) << bits);
+  }
+  return cell;
+}
+
+/// Where the particles of each list cell begin and end, over the box of occupied cells.
+template <int Dim>
+struct CellTable {
+  Vec<Dim, std::int64_t> low{};
+  Vec<Dim, std::int64_t> extent{};
+  Vec<Dim, std::int64_t> period{};  // cells once around, 0 where the direction is not periodic
+  const Index* begin[2];            // of fluid, of walls
+  const Index* end[2];
+
+  [[nodiscard]] HOST_DEVICE std::int64_t size() const {
+    std::int64_t n = 1;
+    for (int k = 0; k < Dim; ++k) n *= extent[k];
+    return n;
+  }
+
+  /// Row-major number of a cell, or -1 outside the box.
+  HOST_DEVICE std::int64_t number(Vec<Dim, std::int64_t> cell) const {
+    std::int64_t n = 0;
+    for (int k = Dim - 1; k >= 0; --k) {
+      if (period[k] != 0) cell[k] = (cell[k] + period[k]) % period[k];
+      const std::int64_t i = cell[k] - low[k];
+      if (i < 0 || i >= extent[k]) return -1;
+      n = n * extent[k] + i;
+    }
+    return n;
+  }
+};
+
+/// Finds every particle within reach of any member of a cluster, each once.
+template <int Dim>
+struct ClusterSearch {
+  CellTable<Dim> table;
+  Lattice<Dim> lattice;
+  const Record* records;
+  float reach2;
+
+  HOST_DEVICE bool within(Index a, Index b) const {
+    float r2 = 0;
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      const auto difference = static_cast<std::int32_t>(static_cast<std::uint32_t>(records[a].place[c]) -
+                                                        static_cast<std::uint32_t>(records[b].place[c]));
+      const float d = static_cast<float>(difference) * lattice.quantum[k];
+      r2 += d * d;
+    }
+    return r2 <= reach2;
+  }
+
+  /// found(j) for particles of the cells around the box of cells [low, high] that lie within reach of a member in
+  /// [from, to) but of none in [already, from).
+  template <class Found>
+  HOST_DEVICE void visit(const Vec<Dim, std::int64_t>& low, const Vec<Dim, std::int64_t>& high, Index already,
+                         Index from, Index to, int sections, const Found& found) const {
+    Vec<Dim, std::int64_t> first{};
+    Vec<Dim, std::int64_t> last{};
+    for (int k = 0; k < Dim; ++k) {
+      first[k] = low[k] - 1;
+      last[k] = high[k] + 1;
+      // Once around a short period and no further.
+      if (table.period[k] != 0 && last[k] - first[k] >= table.period[k]) last[k] = first[k] + table.period[k] - 1;
+    }
+    Vec<Dim, std::int64_t> cell = first;
+    while (true) {
+      const std::int64_t n = table.number(cell);
+      for (int s = 0; n >= 0 && s < sections; ++s) {
+        for (Index j = table.begin[s][n]; j < table.end[s][n]; ++j) {
+          bool in_reach = false;
+          for (Index m = from; m < to; ++m) in_reach = in_reach || within(m, j);
+          for (Index m = already; m < from; ++m) in_reach = in_reach && !within(m, j);
+          if (in_reach) found(j);
+        }
+      }
+      int k = 0;
+      for (; k < Dim && ++cell[k] > last[k]; ++k) cell[k] = first[k];
+      if (k == Dim) return;
+    }
+  }
+
+  /// found(j) for the neighbours of cluster members [first, last); walls need only fluid neighbours (sections = 1).
+  template <class Found>
+  HOST_DEVICE void search(Index first, Index last, int sections, const Found& found) const {
+    Vec<Dim, std::int64_t> low{};
+    Vec<Dim, std::int64_t> high{};
+    std::int64_t widest = 0;
+    for (Index m = first; m < last; ++m) {
+      const auto cell = cell_of<Dim>(lattice, records[m].place, 0);
+      for (int k = 0; k < Dim; ++k) {
+        low[k] = m == first ? cell[k] : std::min<std::int64_t>(low[k], cell[k]);
+        high[k] = m == first ? cell[k] : std::max<std::int64_t>(high[k], cell[k]);
+        widest = std::max(widest, high[k] - low[k]);
+      }
+    }
+    if (widest <= 1) {
+      visit(low, high, first, first, last, sections, found);
+      return;
+    }
+    // Four in a row that lie far apart (isolated grains, the edge of the domain): around each by itself.
+    for (Index m = first; m < last; ++m) {
+      const auto cell = cell_of<Dim>(lattice, records[m].place, 0);
+      Vec<Dim, std::int64_t> own{};
+      for (int k = 0; k < Dim; ++k) own[k] = cell[k];
+      visit(own, own, first, m, m + 1, sections, found);
+    }
+  }
+};
+
+/// Sorts all per-particle arrays; excluded particles (zero volume) end up behind `count` and are returned.
+template <int Dim, class Device>
+std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  using Buffer64 = typename Device::template Buffer<std::uint64_t>;
+  Buffer64 key(p.count);
+  typename Device::template Buffer<Index> order(p.count);
+  {
+    const Record* records = p.record.data();
+    std::uint64_t* keys = key.data();
+    Index* o = order.data();
+    const Lattice<Dim> lattice = scene.lattice;
+    on.for_each(p.count, [=](Index i) {
+      const Record& r = records[i];
+      std::uint64_t k = morton_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits));
+      if (r.phase == phase_wall) k |= wall_section;
+      if (r.volume == 0) k |= excluded_section;
+      keys[i] = k;
+      o[i] = i;
+    });
+  }
+  on.sort_by_key(key, order);
+  const auto scratch_reorder = [&](auto& buffer) {
+    std::remove_reference_t<decltype(buffer)> scratch;
+    on.reorder(buffer, order, scratch);
+  };
+  scratch_reorder(p.record);
+  scratch_reorder(p.position);
+  scratch_reorder(p.mass);
+  scratch_reorder(p.id);
+  scratch_reorder(p.type);
+  scratch_reorder(p.rates);
+  if (scene.has_sediment) scratch_reorder(p.sediment);
+
+  const Index wall_begin = static_cast<Index>(std::lower_bound(key.begin(), key.end(), wall_section) - key.begin());
+  const Index end = static_cast<Index>(std::lower_bound(key.begin(), key.end(), excluded_section) - key.begin());
+  std::vector<ExcludedParticle> excluded;
+  for (Index i = end; i < p.count; ++i) {
+    const Record& r = p.record[i];
+    excluded.push_back({p.id[i], p.type[i], p.position[i], {r.velocity[0], r.velocity[1], r.velocity[2]}});
+  }
+  if (end < p.count) {
+    p.record[end] = p.record[p.count];
+    p.record.resize(end + 1);
+    p.position.resize(end);
+    p.mass.resize(end);
+    p.id.resize(end);
+    p.type.resize(end);
+    p.rates.resize(end);
+    if (scene.has_sediment) p.sediment.resize(end);
+  }
+  p.count = end;
+  p.fluid_count = wall_begin;
+  return excluded;
+}
+
+template <int Dim, class Device>
+struct Cells {
+  CellTable<Dim> table;
+  typename Device::template Buffer<Index> begin[2];
+  typename Device::template Buffer<Index> end[2];
+};
+
+template <int Dim, class Device>
+Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+  Cells<Dim, Device> cells;
+  CellTable<Dim>& table = cells.table;
+  const Record* records = p.record.data();
+  const Lattice<Dim> lattice = scene.lattice;
+  struct Box {
+    Vec<Dim, std::int64_t> low, high;
+  };
+  Box box{};
+  for (int k = 0; k < Dim; ++k) box.low[k] = INT64_MAX, box.high[k] = -1;
+  box = on.reduce(
+      p.count, box,
+      [=](Index i) {
+        Box b{};
+        const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
+        for (int k = 0; k < Dim; ++k) b.low[k] = b.high[k] = cell[k];
+        return b;
+      },
+      [](Box a, const Box& b) {
+        for (int k = 0; k < Dim; ++k) {
+          a.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
+          a.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
+        }
+        return a;
+      });
+  for (int k = 0; k < Dim; ++k) {
+    table.period[k] = lattice.periodic[k] ? lattice.cells[k] : 0;
+    table.low[k] = box.low[k];
+    table.extent[k] = box.high[k] - box.low[k] + 1;
+  }
+  const std::int64_t n = table.size();
+  for (int s = 0; s < 2; ++s) {
+    cells.begin[s].assign(static_cast<std::size_t>(n), 0);
+    cells.end[s].assign(static_cast<std::size_t>(n), 0);
+    table.begin[s] = cells.begin[s].data();
+    table.end[s] = cells.end[s].data();
+  }
+  Index* begins[2] = {cells.begin[0].data(), cells.begin[1].data()};
+  Index* ends[2] = {cells.end[0].data(), cells.end[1].data()};
+  const Index fluid = p.fluid_count;
+  const Index count = p.count;
+  const auto number = [=](Index i) {
+    const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
+    Vec<Dim, std::int64_t> c{};
+    for (int k = 0; k < Dim; ++k) c[k] = cell[k];
+    return table.number(c);
+  };
+  on.for_each(count, [=](Index i) {
+    const int s = i < fluid ? 0 : 1;
+    const std::int64_t c = number(i);
+    if (i == 0 || i == fluid || number(i - 1) != c) begins[s][c] = i;
+    if (i + 1 == fluid || i + 1 == count || number(i + 1) != c) ends[s][c] = i + 1;
+  });
+  return cells;
+}
+
+/// Makes the lists for the particles in their present order and places.
+template <int Dim, class Device>
+void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  const Cells<Dim, Device> cells = fill_cells<Dim>(on, p, scene);
+  const auto reach = static_cast<float>(scene.list_reach);
+  const ClusterSearch<Dim> search{cells.table, scene.lattice, p.record.data(), reach * reach};
+  p.fluid_clusters = (p.fluid_count + cluster_size - 1) / cluster_size;
+  p.clusters = p.fluid_clusters + (p.count - p.fluid_count + cluster_size - 1) / cluster_size;
+
+  ClusterList list = p.list();
+  typename Device::template Buffer<Index> counts(p.clusters);
+  {
+    Index* c = counts.data();
+    on.for_each(p.clusters, [=](Index cluster) {
+      Index n = 0;
+      search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1,
+                    [&](Index) { ++n; });
+      c[cluster] = (n + list_padding - 1) / list_padding * list_padding;
+    });
+  }
+  const Index total = on.exclusive_scan(counts, p.list_begin);
+  p.list_entries.resize(std::size_t{total} + 2 * list_prefetch);
+  list = p.list();
+
+  typename Device::template Buffer<std::uint8_t> with_sediment(p.clusters);
+  {
+    Index* entries = p.list_entries.data();
+    std::uint8_t* sediment = with_sediment.data();
+    const Record* records = p.record.data();
+    on.for_each(p.clusters, [=](Index cluster) {
+      Index at = list.begin[cluster];
+      bool has_sediment = false;
+      search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1, [&](Index j) {
+        entries[at++] = j;
+        has_sediment = has_sediment || records[j].phase == phase_sediment;
+      });
+      for (; at < list.begin[cluster + 1]; ++at) entries[at] = list.count;
+      sediment[cluster] = has_sediment ? 1 : 0;
+    });
+    for (Index e = total; e < total + 2 * list_prefetch; ++e) entries[e] = p.count;
+  }
+
+  const std::uint8_t* sediment = with_sediment.data();
+  on.select(
+      p.fluid_clusters, [=](Index c) { return sediment[c] != 0; }, p.clusters_with_sediment);
+  on.select(
+      p.fluid_clusters, [=](Index c) { return sediment[c] == 0; }, p.clusters_of_water);
+  const Index fluid_clusters = p.fluid_clusters;
+  on.select(
+      p.clusters - p.fluid_clusters,
+      [=](Index c) { return list.begin[fluid_clusters + c + 1] > list.begin[fluid_clusters + c]; },
+      p.clusters_of_walls);
+  for (Index& c : p.clusters_of_walls) c += fluid_clusters;
+}
+
+/// Largest squared distance a particle has moved since the lists were made [m^2]; infinite when one was excluded.
+template <int Dim, class Device>
+float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+  const Record* records = p.record.data();
+  const Place* listed = p.listed_at.data();
+  const Vec<Dim, float> quantum = scene.lattice.quantum;
+  return on.reduce(
+      p.fluid_count, 0.0F,
+      [=](Index i) {
+        if (records[i].volume == 0) return INFINITY;
+        float d2 = 0;
+        for (int k = 0; k < Dim; ++k) {
+          const int c = axis<Dim>(k);
+          const float d = static_cast<float>(static_cast<std::int32_t>(static_cast<std::uint32_t>(records[i].place[c]) -
+                                                                       static_cast<std::uint32_t>(listed[i].c[c]))) *
+                          quantum[k];
+          d2 += d * d;
+        }
+        return d2;
+      },
+      [](float a, float b) { return a > b ? a : b; });
+}
+
+}  // namespace neighbours
+
+/// Sorts particles and rebuilds the lists if some particle has used up its skin. Returns what was excluded since the
+/// last rebuild; `rebuilt` counts rebuilds.
+template <int Dim, class Device>
+std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
+                                                 std::int64_t& rebuilt) {
+  const auto slack = static_cast<float>((scene.list_reach - 2 * scene.smoothing_length) / 2);
+  if (!p.listed_at.empty() && neighbours::squared_drift(on, p, scene) < slack * slack) return {};
+  auto excluded = neighbours::sort_particles(on, p, scene);
+  neighbours::build_lists(on, p, scene);
+  p.listed_at.resize(p.count);
+  const Record* records = p.record.data();
+  Place* listed = p.listed_at.data();
+  on.for_each(p.count, [=](Index i) {
+    for (int k = 0; k < 3; ++k) listed[i].c[k] = records[i].place[k];
+  });
+  ++rebuilt;
+  return excluded;
+}
+
+}  // namespace thalweg

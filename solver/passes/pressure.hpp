@@ -1,0 +1,66 @@
+#pragma once
+
+#include "solver/particles.hpp"
+#include "solver/physics/equation_of_state.hpp"
+
+namespace thalweg {
+
+/// Particle pass: p from the density excess by the phase's equation of state, volume from mass and density.
+template <int Dim>
+struct EquationOfStatePass {
+  Record* records;
+  const float* mass;
+  Scene<Dim> scene;
+
+  HOST_DEVICE void operator()(Index i) const {
+    Record& r = records[i];
+    if (r.volume == 0) return;
+    r.pressure = tait_pressure(r.excess, scene.stiffness(r.phase));
+    r.volume = mass[i] / (scene.density_at_rest(r.phase) * (1 + r.excess));
+  }
+};
+
+template <int Dim, class Device>
+void apply_equation_of_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  on.for_each(p.fluid_count, EquationOfStatePass<Dim>{p.record.data(), p.mass.data(), scene});
+}
+
+/// Pair sweep over wall particles: pressure extrapolated from the fluid in reach, balanced for gravity (Adami, Hu &
+/// Adams 2012, J. Comput. Phys. 231, 7057-7075, eq. 27):
+///   p_w = sum_f [p_f + rho_f g.(x_w - x_f)] V_f W / sum_f V_f W,  not below zero: a wall does not pull.
+template <int Dim>
+struct WallPressureSweep {
+  static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
+  template <class L>
+  struct Sum {
+    L weight;
+    L pressure;
+  };
+
+  Record* records;
+  Scene<Dim> scene;
+
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT&, const LaneT& f, const Sep& s, std::size_t, Sum<L>& sum) const {
+    const L W = scene.kernel.value(scene.kernel.closeness(lane_sqrt(s.r2)));
+    const L weight = f.volume * W;
+    L g_dot_r = s.r[0] * L(scene.gravity[0]);
+    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + s.r[k] * L(scene.gravity[k]);
+    const L rho0 = lane_select(f.phase > L(phase_water + 0.5F), L(scene.sediment_density), L(scene.water_density));
+    sum.weight += weight;
+    sum.pressure += weight * (f.pressure + rho0 * (L(1.0F) + f.excess) * g_dot_r);
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    const float p = sum.weight > 0 ? sum.pressure / sum.weight : 0;
+    records[i].pressure = p > 0 ? p : 0;
+  }
+};
+
+template <int Dim, class Device>
+void extrapolate_to_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  on.template sweep<Dim>(p.list(), p.walls_near_fluid(), p.record.data(), scene.lattice.quantum,
+                         WallPressureSweep<Dim>{p.record.data(), scene});
+}
+
+}  // namespace thalweg

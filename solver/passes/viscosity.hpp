@@ -1,0 +1,214 @@
+#pragma once
+
+#include <cmath>
+
+#include "solver/particles.hpp"
+#include "solver/physics/pair_terms.hpp"
+
+// Implicit viscosity of the sediment and of the layer between water and sediment: solves
+//   m_a u_a + dt sum_b k_ab (u_a - u_b) = m_a u*_a
+// for the velocities at the end of the step, walls standing still. k_ab = k_ba >= 0 makes the system symmetric and
+// positive definite; it is solved by conjugate gradients with Jacobi preconditioning on the clusters with sediment in
+// reach. An explicit treatment would need steps 50 to 400 times smaller, a cap on the viscosity makes a bed creep
+// (docs/theory.md).
+namespace thalweg {
+
+/// Arrays of the solve, kept between steps.
+template <class Device>
+struct ViscousSystem {
+  template <class T>
+  using Buffer = typename Device::template Buffer<T>;
+  struct Row {
+    float residual[3];  // [kg m/s]
+    float diagonal;     // [kg]
+    float product[3];   // A p of the last iteration
+    float unused;
+    float increment[3];  // of the velocity [m/s]
+    float unused2;
+  };
+  Buffer<float> coefficient;  // dt k_ab [kg], one a pair, in the order of the lists
+  Buffer<Row> row;
+};
+
+/// How a solve went.
+struct ViscousResult {
+  int iterations = 0;
+  double residual = 0;  // over the momentum one step of gravity gives [-]
+  bool converged = true;
+};
+
+/// Pair sweep: the coefficients dt k_ab, the diagonal and the first residual, -dt sum k_ab (u*_a - u*_b).
+template <int Dim, class Row>
+struct ViscousCoefficientSweep {
+  static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
+  template <class L>
+  struct Sum {
+    L coefficients;
+    Vec<Dim, L> exchange;
+  };
+
+  const float* mass;
+  float* coefficient;
+  Row* rows;
+  Scene<Dim> scene;
+  float dt;
+
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
+    const L inverse = lane_reciprocal(s.r2 + L(scene.singularity));
+    const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
+    const Vec<Dim, L> u = a.velocity - b.velocity;
+
+    const auto a_sediment = a.phase > L(phase_water + 0.5F);
+    const auto b_sediment = b.phase > L(phase_water + 0.5F);
+    const auto b_wall = b.phase < L(phase_wall + 0.5F);
+    const L interface = L(2.0F) * interface_viscosity(L(scene.water_viscosity), L(scene.water_density),
+                                                      lane_sqrt(dot(u, u)), L(static_cast<float>(scene.spacing)));
+    const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
+    const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
+    const L of_water = lane_select(b_sediment, interface, L(0.0F));
+    const L k = L(dt) * viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water), F, s.r2,
+                                            inverse);
+    lane_store(coefficient + entry, k);
+    sum.coefficients += k;
+    for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    Row& row = rows[i];
+    row.diagonal = mass[i] + sum.coefficients;
+    for (int c = 0; c < 3; ++c) row.increment[c] = row.residual[c] = row.product[c] = 0;
+    for (int c = 0; c < Dim; ++c) row.residual[axis<Dim>(c)] = -sum.exchange[c];
+  }
+};
+
+/// Pair sweep: A p, p in the records' work quad.
+template <int Dim, class Row>
+struct ViscousProductSweep {
+  static constexpr unsigned quads = quad_work;
+  template <class L>
+  struct Sum {
+    Vec<Dim, L> exchange;
+  };
+
+  const Record* records;
+  const float* mass;
+  const float* coefficient;
+  Row* rows;
+
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep&, std::size_t entry, Sum<L>& sum) const {
+    L k;
+    lane_load(coefficient + entry, k);
+    for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * (a.work[c] - b.work[c]);
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    for (int c = 0; c < Dim; ++c) {
+      rows[i].product[axis<Dim>(c)] = mass[i] * records[i].work[axis<Dim>(c)] + sum.exchange[c];
+    }
+  }
+};
+
+namespace viscosity {
+
+inline constexpr int most_iterations = 1000;
+
+HOST_DEVICE inline double dot3(const float* a, const float* b) {
+  return double(a[0]) * double(b[0]) + double(a[1]) * double(b[1]) + double(a[2]) * double(b[2]);
+}
+
+/// Calls body(i) for every particle of the clusters in range.
+template <class Device, class Body>
+void for_each_member(Device& on, const ClusterList& list, ClusterRange range, const Body& body) {
+  on.for_each(range.count, [=](Index n) {
+    const Index c = range[n];
+    for (Index i = list.first(c); i < list.last(c); ++i) body(i);
+  });
+}
+
+/// Sum of of(i) over those particles.
+template <class Device, class Of>
+double sum_over_members(Device& on, const ClusterList& list, ClusterRange range, const Of& of) {
+  return on.reduce(
+      range.count, 0.0,
+      [=](Index n) {
+        const Index c = range[n];
+        double sum = 0;
+        for (Index i = list.first(c); i < list.last(c); ++i) sum += of(i);
+        return sum;
+      },
+      [](double a, double b) { return a + b; });
+}
+
+}  // namespace viscosity
+
+/// Replaces the velocities of the fluid near sediment by the solution. The residual it stops at is
+/// scene.viscous_tolerance of the momentum that gravity and the present accelerations give in one step (without
+/// gravity: of the first residual).
+template <int Dim, class Device>
+ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                              float dt) {
+  using viscosity::dot3;
+  using Row = typename ViscousSystem<Device>::Row;
+  const ClusterList list = p.list();
+  const ClusterRange range = p.near_sediment();
+  if (range.count == 0) return {};
+  system.coefficient.resize(p.list_entries.size() * cluster_size);
+  system.row.resize(p.count);
+  Record* records = p.record.data();
+  Row* rows = system.row.data();
+  const float* mass = p.mass.data();
+  const Rates* rates = p.rates.data();
+  const auto total = [&](const auto& of) { return viscosity::sum_over_members(on, list, range, of); };
+  const auto each = [&](const auto& body) { viscosity::for_each_member(on, list, range, body); };
+
+  on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
+                         ViscousCoefficientSweep<Dim, Row>{mass, system.coefficient.data(), rows, scene, dt});
+  double g2 = 0;
+  for (int k = 0; k < Dim; ++k) g2 += double(scene.gravity[k]) * double(scene.gravity[k]);
+  double scale =
+      g2 == 0 ? total([=](Index i) { return dot3(rows[i].residual, rows[i].residual); })
+              : double(dt) * double(dt) * total([=](Index i) {
+                  return double(mass[i]) * double(mass[i]) * (g2 + dot3(rates[i].acceleration, rates[i].acceleration));
+                });
+  scale = std::sqrt(scale);
+
+  each([=](Index i) {
+    for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
+  });
+  double rz = total([=](Index i) { return dot3(rows[i].residual, rows[i].residual) / double(rows[i].diagonal); });
+
+  ViscousResult result;
+  while (true) {
+    result.residual =
+        scale > 0 ? std::sqrt(total([=](Index i) { return dot3(rows[i].residual, rows[i].residual); })) / scale : 0;
+    result.converged = result.residual <= scene.viscous_tolerance;
+    if (result.converged || result.iterations == viscosity::most_iterations || !std::isfinite(result.residual)) break;
+    on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
+                           ViscousProductSweep<Dim, Row>{records, mass, system.coefficient.data(), rows});
+    const double pAp = total([=](Index i) { return dot3(records[i].work, rows[i].product); });
+    const auto alpha = static_cast<float>(rz / pAp);
+    each([=](Index i) {
+      for (int c = 0; c < 3; ++c) {
+        rows[i].increment[c] += alpha * records[i].work[c];
+        rows[i].residual[c] -= alpha * rows[i].product[c];
+      }
+    });
+    const double next =
+        total([=](Index i) { return dot3(rows[i].residual, rows[i].residual) / double(rows[i].diagonal); });
+    const auto beta = static_cast<float>(next / rz);
+    rz = next;
+    each([=](Index i) {
+      for (int c = 0; c < 3; ++c)
+        records[i].work[c] = rows[i].residual[c] / rows[i].diagonal + beta * records[i].work[c];
+    });
+    ++result.iterations;
+  }
+  each([=](Index i) {
+    for (int c = 0; c < 3; ++c) records[i].velocity[c] += rows[i].increment[c];
+  });
+  return result;
+}
+
+}  // namespace thalweg

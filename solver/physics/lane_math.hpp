@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cmath>
+
+#include "solver/physics/host_device.hpp"
+
+// The few operations a pair term may use, for one particle pair at a time (float on a GPU, float or double in tests).
+// solver/backend/pack.hpp overloads the same names for several pairs at a time (SIMD), so that a law is written once.
+namespace thalweg {
+
+HOST_DEVICE inline float lane_max(float a, float b) { return a > b ? a : b; }
+HOST_DEVICE inline float lane_min(float a, float b) { return a < b ? a : b; }
+HOST_DEVICE inline float lane_select(bool condition, float yes, float no) { return condition ? yes : no; }
+HOST_DEVICE inline float lane_reciprocal(float a) { return 1.0F / a; }
+HOST_DEVICE inline float lane_sqrt(float a) { return sqrtf(a); }
+HOST_DEVICE inline float lane_abs(float a) { return fabsf(a); }
+
+/// One number, or as many as the lane holds, of an array with one number a pair.
+HOST_DEVICE inline void lane_store(float* to, float a) { *to = a; }
+HOST_DEVICE inline void lane_load(const float* from, float& a) { a = *from; }
+
+HOST_DEVICE inline double lane_max(double a, double b) { return a > b ? a : b; }
+HOST_DEVICE inline double lane_min(double a, double b) { return a < b ? a : b; }
+HOST_DEVICE inline double lane_select(bool condition, double yes, double no) { return condition ? yes : no; }
+HOST_DEVICE inline double lane_reciprocal(double a) { return 1.0 / a; }
+HOST_DEVICE inline double lane_sqrt(double a) { return sqrt(a); }
+HOST_DEVICE inline double lane_abs(double a) { return fabs(a); }
+
+}  // namespace thalweg

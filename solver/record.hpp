@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+
+#include "solver/physics/vec.hpp"
+
+namespace thalweg {
+
+using Index = std::uint32_t;
+
+/// What a particle is to the pair sums; a float in the record because a small integer in a float lane is a denormal,
+/// which some devices compare equal to zero.
+inline constexpr float phase_wall = 0;
+inline constexpr float phase_water = 1;
+inline constexpr float phase_sediment = 2;
+
+/// What a pair sweep reads of a particle: 64 bytes, one cache line, four quads (solver/backend/openmp.hpp loads quads).
+/// `place` counts quanta of the domain's extent (Lattice in scene.hpp), so that differences are exact in 32 bits and
+/// wrap around periodic directions by themselves; the position proper is kept in double beside it.
+struct alignas(64) Record {
+  std::int32_t place[3];  // [quanta]
+  float volume;           // [m^dim]; 0 takes the particle out of every sum
+  float velocity[3];      // [m/s]
+  float pressure;         // [Pa]
+  float excess;           // rho/rho0 - 1 [-]
+  float viscosity;        // [Pa s]
+  float phase;            // phase_wall, phase_water, phase_sediment
+  float spare;
+  float work[4];  // a vector of the implicit viscous solve
+};
+static_assert(sizeof(Record) == 64);
+
+/// Quads of a record a sweep can ask for.
+enum Quads : unsigned { quad_place = 1, quad_motion = 2, quad_matter = 4, quad_work = 8 };
+
+/// One record in lanes: L is float (one pair at a time) or a pack (several), I the matching integer.
+template <int Dim, class L, class I>
+struct Lane {
+  Vec<Dim, I> place;
+  L volume;
+  Vec<Dim, L> velocity;
+  L pressure;
+  L excess;
+  L viscosity;
+  L phase;
+  Vec<Dim, L> work;
+};
+
+/// The geometry of one pair, computed once for every body: r = x_a - x_b [m], r^2, and 1/(r^2 + eps).
+template <int Dim, class L>
+struct Separation {
+  Vec<Dim, L> r;
+  L r2;
+};
+
+}  // namespace thalweg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/error.hpp"
+
+namespace thalweg {
+
+/// What the command line of thalweg-solver says.
+struct RunOptions {
+  std::filesystem::path folder;
+  std::string backend = "auto";
+  std::string instruction_set = "auto";
+  int threads = 0;                // 0: all cores
+  std::filesystem::path restart;  // empty: from particles.vtp
+  std::string until;              // with unit; empty: output.end
+  std::vector<std::string> overrides;
+};
+
+/// Runs the scene of a run folder to its end, writing history, snapshots and checkpoints on the way
+/// (docs/file-formats.md). Returns Exit::done, or interrupted / terminated after a signal, with a checkpoint written.
+/// Throws InputError, RunError; whatever was written before stays whole.
+Exit run_solver(const RunOptions& options);
+
+}  // namespace thalweg

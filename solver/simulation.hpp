@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/particles.hpp"
+#include "solver/passes/diagnostics.hpp"
+#include "solver/step.hpp"
+
+namespace thalweg {
+
+/// What one step did, for the run loop.
+struct StepReport {
+  double dt = 0;  // [s]
+  Limiter limiter = Limiter::sound;
+  double largest_speed = 0;         // [m/s] before the step
+  double largest_acceleration = 0;  // [m/s^2] before the step
+  double largest_excess = 0;        // |rho/rho0 - 1| before the step
+  ViscousResult viscous;
+  bool diverged = false;
+  std::vector<ExcludedParticle> excluded;
+};
+
+/// Sizes worth knowing before and after a run.
+struct SimulationFacts {
+  std::int64_t particles = 0;
+  std::int64_t fluid_particles = 0;
+  std::int64_t list_rebuilds = 0;
+  double list_entries_per_particle = 0;  // with skin, sharing and padding
+  double neighbours_mean = 0;            // list entries of a cluster per fluid particle within the support
+  double bytes_per_particle = 0;
+  std::string device;  // "OpenMP, AVX-512, 2 threads"
+};
+
+using AnyScene = std::variant<Scene<2>, Scene<3>>;
+
+/// A running simulation on some device; the run loop (run.hpp) knows it only through this.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// One step of at most `longest` seconds.
+  virtual StepReport advance(double longest) = 0;
+  virtual Totals totals() = 0;
+  virtual SimulationFacts facts() = 0;
+  virtual const Timing& timing() const = 0;
+  virtual Timing& timing() = 0;
+
+  /// All particles as they are now, for looking at; without ParticleSet::info.
+  virtual ParticleSet snapshot() = 0;
+  /// All that a restart needs, in the order of the neighbour lists; without ParticleSet::info.
+  virtual ParticleSet full_state() = 0;
+};
+
+/// What a core module (one per device and instruction set) is made from.
+struct SimulationInput {
+  AnyScene scene;
+  const ParticleSet* particles = nullptr;  // from gencase, or full_state() of an earlier run
+  int threads = 0;                         // 0: as many as the machine has cores
+};
+
+/// Makes a simulation on the best device of this machine for `backend` = "auto" or "openmp", with the widest
+/// instruction set this processor has, or the one named ("avx512", "avx2", "baseline"). Throws InputError for a device
+/// it has not.
+std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const std::string& backend,
+                                            const std::string& instruction_set);
+
+}  // namespace thalweg

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/passes/continuity.hpp"
+#include "solver/passes/integrate.hpp"
+#include "solver/passes/momentum.hpp"
+#include "solver/passes/neighbours.hpp"
+#include "solver/passes/pressure.hpp"
+#include "solver/passes/sediment_strength.hpp"
+#include "solver/passes/time_step.hpp"
+#include "solver/passes/viscosity.hpp"
+#include "solver/timing.hpp"
+
+namespace thalweg {
+
+/// What the step keeps between calls beside the particles.
+template <class Device>
+struct Workspace {
+  ViscousSystem<Device> viscous;
+  ColumnWeight<Device> weight;
+  std::int64_t list_rebuilds = 0;
+};
+
+struct StepResult {
+  TimeStep step;
+  ViscousResult viscous;
+  std::vector<ExcludedParticle> excluded;
+};
+
+/// A step that has found the run diverged changes nothing and says so.
+inline bool has_diverged(const StepResult& result) {
+  return !result.step.extremes.finite || result.step.extremes.excess > most_excess || !result.viscous.converged;
+}
+
+/// Shortens the step so that an output time is met exactly; the two last steps share what is left, lest a tiny one
+/// remain.
+inline void land_on_output(TimeStep& step, double longest) {
+  if (2 * step.dt <= longest) return;
+  step.limiter = Limiter::output;
+  step.dt = step.dt >= longest ? longest : longest / 2;
+}
+
+/// THE algorithm: one step in time, at most `longest` seconds.
+template <int Dim, class Device>
+StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace<Device>& work, double longest,
+                   Timing& timing) {
+  using H = Heading;
+  StepResult result;
+  timing.time(H::refresh_neighbours, [&] { result.excluded = refresh_neighbours(on, p, scene, work.list_rebuilds); });
+  timing.time(H::apply_equation_of_state, [&] { apply_equation_of_state(on, p, scene); });
+  timing.time(H::extrapolate_to_walls, [&] { extrapolate_to_walls(on, p, scene); });
+  if (scene.has_sediment) {
+    timing.time(H::update_sediment_strength, [&] { update_sediment_strength(on, p, scene, work.weight); });
+  }
+  timing.time(H::compute_accelerations, [&] { compute_accelerations(on, p, scene); });
+  timing.time(H::stable_time_step, [&] { result.step = stable_time_step(on, p, scene); });
+  if (has_diverged(result)) return result;
+  land_on_output(result.step, longest);
+  const double dt = result.step.dt;
+
+  timing.time(H::kick, [&] { kick(on, p, dt); });
+  if (scene.has_sediment) {
+    timing.time(H::solve_viscosity,
+                [&] { result.viscous = solve_viscosity(on, p, scene, work.viscous, static_cast<float>(dt)); });
+  }
+  timing.time(H::drift, [&] { drift(on, p, scene, dt); });
+  timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
+  timing.time(H::update_density, [&] { update_density(on, p, dt); });
+  return result;
+}
+
+}  // namespace thalweg

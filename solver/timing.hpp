@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+
+namespace thalweg {
+
+/// The headings of the timing report are the lines of the step (step.hpp).
+enum class Heading {
+  refresh_neighbours,
+  apply_equation_of_state,
+  extrapolate_to_walls,
+  update_sediment_strength,
+  compute_accelerations,
+  stable_time_step,
+  kick,
+  solve_viscosity,
+  drift,
+  compute_density_rates,
+  update_density,
+  output,
+  count
+};
+
+inline constexpr std::array<const char*, static_cast<std::size_t>(Heading::count)> heading_names = {
+    "refresh_neighbours",
+    "apply_equation_of_state",
+    "extrapolate_to_walls",
+    "update_sediment_strength",
+    "compute_accelerations",
+    "stable_time_step",
+    "kick",
+    "solve_viscosity",
+    "drift",
+    "compute_density_rates",
+    "update_density",
+    "output"};
+
+/// Seconds and calls per heading.
+class Timing {
+ public:
+  struct Entry {
+    double seconds = 0;
+    long calls = 0;
+  };
+
+  /// Runs what() and books its time under the heading.
+  template <class What>
+  decltype(auto) time(Heading heading, const What& what) {
+    const Booking booking(entries_[static_cast<std::size_t>(heading)]);
+    return what();
+  }
+
+  [[nodiscard]] const auto& entries() const { return entries_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Booking {
+    Entry& entry;
+    Clock::time_point start = Clock::now();
+    explicit Booking(Entry& e) : entry(e) {}
+    Booking(const Booking&) = delete;
+    Booking& operator=(const Booking&) = delete;
+    ~Booking() {
+      entry.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+      ++entry.calls;
+    }
+  };
+
+  std::array<Entry, static_cast<std::size_t>(Heading::count)> entries_{};
+};
+
+}  // namespace thalweg
