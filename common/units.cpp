@@ -105,16 +105,18 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
 std::string format_quantity(double si_value, std::string_view si_unit) {
   struct Ladder {
     std::string_view si_unit;
-    std::array<std::string_view, 5> units;  // from large to small; the first in which the value is at least 1 is taken
+    std::string_view zero;                  // the unit of nothing
+    std::array<std::string_view, 4> units;  // from large to small; the first in which the value is at least 1 is taken
   };
   static constexpr std::array ladders{
-      Ladder{"m", {"km", "m", "cm", "mm", "um"}},
-      Ladder{"s", {"h", "min", "s", "ms", "us"}},
-      Ladder{"Pa", {"MPa", "kPa", "Pa"}},
-      Ladder{"rad", {"deg"}},
+      Ladder{"m", "m", {"m", "cm", "mm", "um"}},
+      Ladder{"s", "s", {"s", "ms", "us"}},
+      Ladder{"Pa", "Pa", {"MPa", "kPa", "Pa"}},
+      Ladder{"rad", "deg", {"deg"}},
   };
   for (const Ladder& ladder : ladders) {
-    if (ladder.si_unit != si_unit || si_value == 0 || !std::isfinite(si_value)) continue;
+    if (ladder.si_unit != si_unit || !std::isfinite(si_value)) continue;
+    if (si_value == 0) return fmt::format("0 {}", ladder.zero);
     const std::scoped_lock guard(lock());
     const Unit si = parse_unit(si_unit);
     std::string_view unit;

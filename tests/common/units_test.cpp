@@ -84,13 +84,14 @@ TEST(FormatQuantity, TakesTheUnitPeopleWrite) {
   EXPECT_EQ(format_quantity(0.005, "m"), "5 mm");
   EXPECT_EQ(format_quantity(-0.16, "m"), "-16 cm");
   EXPECT_EQ(format_quantity(1.5, "m"), "1.5 m");
-  EXPECT_EQ(format_quantity(2500, "m"), "2.5 km");
+  EXPECT_EQ(format_quantity(2500, "m"), "2500 m");
   EXPECT_EQ(format_quantity(1e-9, "m"), "0.001 um");
   EXPECT_EQ(format_quantity(0.00025, "s"), "250 us");
-  EXPECT_EQ(format_quantity(90, "s"), "1.5 min");
+  EXPECT_EQ(format_quantity(90, "s"), "90 s");
   EXPECT_EQ(format_quantity(1234.5, "Pa"), "1.234 kPa");
   EXPECT_EQ(format_quantity(std::numbers::pi / 4, "rad"), "45 deg");
   EXPECT_EQ(format_quantity(0, "m"), "0 m");
+  EXPECT_EQ(format_quantity(0, "rad"), "0 deg");
   EXPECT_EQ(format_quantity(1540, "kg/m^3"), "1540 kg/m^3");
 }
 

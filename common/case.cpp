@@ -1,0 +1,55 @@
+#include "common/case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/case_tables.hpp"
+#include "common/error.hpp"
+
+namespace thalweg {
+
+bool Case::has_sediment() const {
+  return std::any_of(shapes.begin(), shapes.end(),
+                     [](const Shape& shape) { return shape.role == ShapeRole::sediment; });
+}
+
+const SedimentParameters& Case::sediment() const {
+  if (sediments.empty()) {
+    throw InputError(fmt::format("{}: no sediment is defined; add a table [materials.<name>]", file.string()));
+  }
+  if (sediments.size() > 1) {
+    throw InputError(fmt::format("{}: {} sediments are defined, and the model takes one; remove the others",
+                                 file.string(), sediments.size()));
+  }
+  return sediments.begin()->second;
+}
+
+bool shape_uses_key(const Shape& shape, std::string_view key, int dimension) {
+  const bool is_wall = shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall;
+  if (key == "name" || key == "kind" || key == "role") return true;
+  if (key == "material") return shape.role == ShapeRole::sediment;
+  if (key == "side" || key == "thickness") return is_wall;
+  if (key == "open") return is_wall && shape.kind == ShapeKind::box && shape.side == WallSide::outside;
+  const std::vector<std::string> geometry = shape_needs_keys(shape, dimension);
+  return std::find(geometry.begin(), geometry.end(), key) != geometry.end();
+}
+
+std::vector<std::string> shape_needs_keys(const Shape& shape, int dimension) {
+  switch (shape.kind) {
+    case ShapeKind::box:
+      return {"from", "to"};
+    case ShapeKind::cylinder:
+      if (dimension == 2) return {"center", "radius"};
+      return {"from", "to", "radius"};
+    case ShapeKind::sphere:
+      return {"center", "radius"};
+    case ShapeKind::combine_union:
+    case ShapeKind::combine_difference:
+    case ShapeKind::combine_intersection:
+      return {"of"};
+  }
+  return {};
+}
+
+}  // namespace thalweg

@@ -1,0 +1,284 @@
+#include "common/case_check.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "common/case_keys.hpp"
+#include "common/case_tables.hpp"
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+namespace thalweg {
+namespace {
+
+constexpr std::array axis_names{"x", "y", "z"};
+
+class CaseCheck {
+ public:
+  CaseCheck(const Case& read, const CaseOrigins& origins) : case_(read), origins_(origins) {}
+
+  void all() const {
+    case_name();
+    domain();
+    for (std::size_t i = 0; i < case_.shapes.size(); ++i) shape(i);
+    phases();
+    numerics();
+    times();
+    references();
+  }
+
+ private:
+  [[noreturn]] void reject(const std::string& key, const std::string& what, const std::string& cure) const {
+    throw InputError(fmt::format("{}: {}; {}", origins_.where(key), what, cure));
+  }
+
+  [[nodiscard]] bool uses(int axis) const { return case_.info.dimension == 3 || axis != 1; }
+
+  void case_name() const {
+    const std::string& name = case_.info.name;
+    const bool usable = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+    });
+    if (!usable || name.front() == '.') {
+      reject("case.name", fmt::format("case.name = \"{}\" cannot name files", name),
+             "use letters, digits, \"-\" and \"_\"");
+    }
+  }
+
+  // `table` has a box between `from` and `to`.
+  void corners(const std::string& table, const Vec3& from, const Vec3& to) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (uses(axis) && from[axis] >= to[axis]) {
+        reject(table + ".to", fmt::format("{0}.to is not beyond {0}.from in {1}", table, axis_names.at(axis)),
+               "give the lower corner first and some extent in every direction");
+      }
+    }
+  }
+
+  void domain() const {
+    corners("domain", case_.domain.from, case_.domain.to);
+    std::set<std::string> seen;
+    for (const std::string& direction : case_.domain.periodic) {
+      const bool known = direction == "x" || direction == "z" || (direction == "y" && uses(1));
+      if (!known) {
+        reject("domain.periodic", fmt::format("domain.periodic names \"{}\"", direction),
+               uses(1) ? "the directions are x, y, z" : "the directions are x, z with dimension = 2");
+      }
+      if (!seen.insert(direction).second) {
+        reject("domain.periodic", fmt::format("domain.periodic names \"{}\" twice", direction), "remove one");
+      }
+    }
+  }
+
+  void shape(std::size_t index) const {
+    const Shape& s = case_.shapes[index];
+    const std::string path = "shape." + s.name;
+    shape_keys(s, path);
+    if (s.kind == ShapeKind::box) corners(path, s.from, s.to);
+    if (shape_uses_key(s, "radius", case_.info.dimension) && !(s.radius > 0)) {
+      reject(path + ".radius", fmt::format("{}.radius is zero", path), "give a positive radius");
+    }
+    if (s.kind == ShapeKind::cylinder && case_.info.dimension == 3 && s.from == s.to) {
+      reject(path + ".to", fmt::format("{0}.to equals {0}.from", path), "give the axis some length");
+    }
+    members(index, path);
+    role(s, path);
+    open_faces(s, path);
+    inside_domain(s, path);
+  }
+
+  void shape_keys(const Shape& s, const std::string& path) const {
+    for (const std::string& key : shape_needs_keys(s, case_.info.dimension)) {
+      if (!origins_.has(path + "." + key)) {
+        reject(path, fmt::format("{}.{} is missing", path, key),
+               fmt::format("a shape of kind \"{}\" needs {}", kind_name(s.kind), needed_keys(s)));
+      }
+    }
+    for (const KeyDeclaration& key : find_table("shape")->keys) {
+      const std::string full = path + "." + key.name;
+      if (origins_.has(full) && !shape_uses_key(s, key.name, case_.info.dimension)) {
+        reject(full, fmt::format("{} means nothing for a shape of kind \"{}\" and this role", full, kind_name(s.kind)),
+               "remove it");
+      }
+    }
+  }
+
+  static std::string kind_name(ShapeKind kind) {
+    for (const Choice<ShapeKind>& choice : choices(ShapeKind{})) {
+      if (choice.value == kind) return choice.name;
+    }
+    return {};
+  }
+  [[nodiscard]] std::string needed_keys(const Shape& s) const {
+    return fmt::format("{}", fmt::join(shape_needs_keys(s, case_.info.dimension), ", "));
+  }
+
+  void members(std::size_t index, const std::string& path) const {
+    const Shape& s = case_.shapes[index];
+    if (!shape_uses_key(s, "of", case_.info.dimension)) return;
+    if (s.of.size() < 2) {
+      reject(path + ".of", fmt::format("{}.of names {} shapes", path, s.of.size()), "name at least two");
+    }
+    std::vector<std::string> earlier;
+    for (std::size_t i = 0; i < index; ++i) earlier.push_back(case_.shapes[i].name);
+    for (const std::string& name : s.of) {
+      if (std::find(earlier.begin(), earlier.end(), name) != earlier.end()) continue;
+      const bool later =
+          std::any_of(case_.shapes.begin(), case_.shapes.end(), [&](const Shape& other) { return other.name == name; });
+      if (later)
+        reject(path + ".of", fmt::format("{}.of names \"{}\", which does not come before it", path, name),
+               "move that shape up");
+      const auto near = nearest(name, earlier);
+      reject(path + ".of", fmt::format("{}.of names \"{}\", which is no shape", path, name),
+             near ? fmt::format("did you mean \"{}\"?", *near)
+                  : fmt::format("the shapes before it are {}", fmt::join(earlier, ", ")));
+    }
+  }
+
+  void role(const Shape& s, const std::string& path) const {
+    if (s.role == ShapeRole::none) {
+      const bool used = std::any_of(case_.shapes.begin(), case_.shapes.end(), [&](const Shape& other) {
+        return std::find(other.of.begin(), other.of.end(), s.name) != other.of.end();
+      });
+      if (!used) reject(path, fmt::format("{} has no role and no other shape uses it", path), "give it a role");
+    }
+    if (s.role == ShapeRole::moving_wall) {
+      reject(path + ".role",
+             fmt::format("{}.role = \"moving wall\" needs a motion, which a case cannot describe", path),
+             "use \"wall\"");
+    }
+    if (s.role != ShapeRole::sediment) return;
+    std::vector<std::string> known;
+    for (const auto& [name, parameters] : case_.sediments) known.push_back(name);
+    if (known.empty())
+      reject(path, fmt::format("{} is sediment, and no sediment is defined", path),
+             "add a table [materials.<name>] for it");
+    if (s.material.empty()) {
+      reject(path, fmt::format("{}.material is missing", path),
+             fmt::format("there are several sediments; name one of {}", fmt::join(known, ", ")));
+    }
+    if (!case_.sediments.contains(s.material)) {
+      reject(path + ".material", fmt::format("{}.material = \"{}\" is no sediment", path, s.material),
+             fmt::format("the sediments are {}", fmt::join(known, ", ")));
+    }
+  }
+
+  void open_faces(const Shape& s, const std::string& path) const {
+    for (const std::string& face : s.open) {
+      const bool known = face.size() == 2 && (face[0] == '-' || face[0] == '+') &&
+                         (face[1] == 'x' || face[1] == 'z' || (face[1] == 'y' && uses(1)));
+      if (!known) {
+        reject(path + ".open", fmt::format("{}.open names \"{}\"", path, face),
+               uses(1) ? "the faces are -x, +x, -y, +y, -z, +z" : "the faces are -x, +x, -z, +z with dimension = 2");
+      }
+    }
+  }
+
+  // Lower and upper corner of a single solid; nothing for combinations, whose extent only the geometry kernel knows.
+  [[nodiscard]] std::optional<std::pair<Vec3, Vec3>> bounds(const Shape& s) const {
+    const bool disc = s.kind == ShapeKind::sphere || (s.kind == ShapeKind::cylinder && case_.info.dimension == 2);
+    if (s.kind == ShapeKind::box) return std::pair{s.from, s.to};
+    if (disc) return std::pair<Vec3, Vec3>{s.center - Vec3::Constant(s.radius), s.center + Vec3::Constant(s.radius)};
+    if (s.kind != ShapeKind::cylinder) return std::nullopt;
+    const Vec3 axis = (s.to - s.from).normalized();
+    const Vec3 reach =
+        s.radius * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();  // of the discs at its ends
+    return std::pair<Vec3, Vec3>{s.from.cwiseMin(s.to) - reach, s.from.cwiseMax(s.to) + reach};
+  }
+
+  void inside_domain(const Shape& s, const std::string& path) const {
+    const auto extent = bounds(s);
+    if (!extent || (s.role != ShapeRole::water && s.role != ShapeRole::sediment)) return;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!uses(axis)) continue;
+      if (extent->first[axis] < case_.domain.from[axis] || extent->second[axis] > case_.domain.to[axis]) {
+        reject(path, fmt::format("{} reaches beyond the domain in {}", path, axis_names.at(axis)),
+               "enlarge [domain] or reduce the shape");
+      }
+    }
+  }
+
+  void phases() const {
+    const bool has_water = std::any_of(case_.shapes.begin(), case_.shapes.end(),
+                                       [](const Shape& s) { return s.role == ShapeRole::water; });
+    if (!has_water && !case_.has_sediment()) {
+      reject("shape", "no shape has the role water or sediment", "add one, or there is nothing to move");
+    }
+    if (case_.has_sediment() && case_.model.sediment == SedimentModel::off) {
+      reject("model.sediment", "there is a sediment shape, and model.sediment is off",
+             "write sediment = \"viscoplastic\" in [model]");
+    }
+    if (!case_.has_sediment() && case_.model.sediment != SedimentModel::off) {
+      reject("model.sediment", "model.sediment is on, and no shape has the role sediment",
+             "add a sediment shape or write sediment = \"off\"");
+    }
+  }
+
+  void numerics() const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double extent = case_.domain.to[axis] - case_.domain.from[axis];
+      if (uses(axis) && case_.numerics.spacing > extent) {
+        reject("numerics.spacing",
+               fmt::format("numerics.spacing = {} is larger than the domain in {} ({})",
+                           format_quantity(case_.numerics.spacing, "m"), axis_names.at(axis),
+                           format_quantity(extent, "m")),
+               "reduce it");
+      }
+    }
+    if (case_.numerics.maximum_speed == 0 && case_.domain.gravity.isZero(0)) {
+      reject("numerics.maximum_speed", "without gravity the largest speed cannot be estimated",
+             "give numerics.maximum_speed");
+    }
+  }
+
+  void times() const {
+    const auto within_run = [&](const std::string& key, const std::vector<double>& times) {
+      for (const double time : times) {
+        if (time > case_.output.end) {
+          reject(key, fmt::format("{} has {} s, after output.end = {} s", key, time, case_.output.end),
+                 "give times within the run or extend it");
+        }
+      }
+    };
+    within_run("output.times", case_.output.times);
+    within_run("compare.times", case_.compare.times);
+    if (case_.compare.from > case_.compare.to) {
+      reject("compare.to", "compare.to lies before compare.from", "exchange them");
+    }
+  }
+
+  // A run's folder may be computed on another machine than the one that holds the references.
+  void references() const {
+    if (origins_.has("resolved")) return;
+    for (const std::string& folder : case_.compare.references) {
+      if (!std::filesystem::is_directory(case_.folder / folder)) {
+        reject("compare.references", fmt::format("compare.references names \"{}\", which is no folder", folder),
+               "give it relative to the folder of the case file");
+      }
+    }
+  }
+
+  const Case& case_;
+  const CaseOrigins& origins_;
+};
+
+}  // namespace
+
+std::string CaseOrigins::where(std::string name) const {
+  for (;;) {
+    if (const auto found = given.find(name); found != given.end()) return found->second;
+    const auto dot = name.rfind('.');
+    if (dot == std::string::npos) return file + ":1";
+    name.resize(dot);
+  }
+}
+
+void check_case(const Case& read, const CaseOrigins& origins) { CaseCheck(read, origins).all(); }
+
+}  // namespace thalweg

@@ -1,0 +1,187 @@
+#include "common/case_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "common/case_check.hpp"
+#include "common/case_keys.hpp"
+#include "common/case_table_reader.hpp"
+#include "common/case_tables.hpp"
+#include "common/case_toml.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Refuses keys that the table does not have; `path` is how the user writes the table in an override.
+void check_keys(const toml::table& table, const TableDeclaration& declared, const std::string& path,
+                const std::string& file) {
+  std::vector<std::string> known;
+  for (const KeyDeclaration& key : declared.keys) known.push_back(key.name);
+  for (const auto& [name, node] : table) {
+    const std::string key(name.str());
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    std::string cure = fmt::format("the keys of {} are {}", path, fmt::join(known, ", "));
+    if (const auto near = nearest(key, known)) cure = fmt::format("did you mean {}.{}?", path, *near);
+    for (const TableDeclaration& other : case_declarations()) {
+      for (const KeyDeclaration& candidate : other.keys) {
+        if (candidate.name == key) cure = fmt::format("did you mean {}?", candidate.full_name());
+      }
+    }
+    const std::string where = where_is(node, file);
+    const bool already_named = where.starts_with("--set ");
+    reject_case(where, already_named ? "unknown key" : fmt::format("unknown key {}.{}", path, key), cure);
+  }
+}
+
+const toml::table& as_table(const toml::node& node, const std::string& name, const std::string& file) {
+  if (!node.is_table())
+    reject_case(where_is(node, file), fmt::format("{} is no table", name), fmt::format("write [{}]", name));
+  return *node.as_table();
+}
+
+void check_shapes(const toml::node& node, const std::string& file) {
+  if (!node.is_array() || !node.as_array()->is_homogeneous(toml::node_type::table)) {
+    reject_case(where_is(node, file), "shape is no list of tables", "write [[shape]] above each shape");
+  }
+  std::set<std::string> names;
+  for (const toml::node& shape : *node.as_array()) {
+    const toml::table& table = *shape.as_table();
+    const std::string name = name_of_shape(table);
+    const toml::node* name_node = table.get("name");
+    if (name_node == nullptr) reject_case(where_is(shape, file), "a shape has no name", "add name = \"...\"");
+    if (name.empty()) reject_case(where_is(*name_node, file), "a shape's name must be a text", "write name = \"...\"");
+    if (!names.insert(name).second) {
+      reject_case(where_is(*name_node, file), fmt::format("the name \"{}\" is used twice", name),
+                  "rename one of the shapes");
+    }
+    check_keys(table, *find_table("shape"), "shape." + name, file);
+  }
+}
+
+[[noreturn]] void reject_unknown_table(const std::string& name, const toml::node& node,
+                                       const std::vector<std::string>& known, const std::string& file) {
+  const bool is_table = node.is_table() || node.is_array();
+  std::string cure = fmt::format("the tables are {}", fmt::join(known, ", "));
+  if (const auto near = nearest(name, known)) cure = fmt::format("did you mean {}?", *near);
+  for (const TableDeclaration& table : case_declarations()) {
+    for (const KeyDeclaration& key : table.keys) {
+      if (!is_table && key.name == name) cure = fmt::format("did you mean {}?", key.full_name());
+    }
+  }
+  reject_case(where_is(node, file), fmt::format("unknown {} {}", is_table ? "table" : "key", name), cure);
+}
+
+void check_names(const toml::table& root, const std::string& file) {
+  std::vector<std::string> known{"shape", "materials"};
+  for (const TableDeclaration& table : case_declarations()) {
+    if (table.name.find_first_of("[.") == std::string::npos) known.push_back(table.name);
+  }
+  for (const auto& [name, node] : root) {
+    const std::string table(name.str());
+    if (table == "shape") {
+      check_shapes(node, file);
+    } else if (table == "materials") {
+      for (const auto& [material, values] : as_table(node, table, file)) {
+        const std::string path = "materials." + std::string(material.str());
+        check_keys(as_table(values, path, file), *find_table(path), path, file);
+      }
+    } else if (table == "resolved") {
+      continue;  // of case.resolved.toml
+    } else if (std::find(known.begin(), known.end(), table) != known.end()) {
+      check_keys(as_table(node, table, file), *find_table(table), table, file);
+    } else {
+      reject_unknown_table(table, node, known, file);
+    }
+  }
+}
+
+class CaseReader {
+ public:
+  CaseReader(const toml::table& root, const fs::path& file) : root_(root) {
+    origins_.file = file.string();
+    result_.file = file;
+    result_.folder = fs::absolute(file).lexically_normal().parent_path();
+    result_.info.name = result_.folder.filename().string();
+    const auto original = root_["resolved"]["folder"].value<std::string>();
+    if (original) {
+      result_.folder = *original;
+      origins_.given["resolved"] = origins_.file;
+    }
+  }
+
+  Case read() {
+    for_each_table(
+        result_, [&](const TableHeading& heading, auto& table) { read_table(heading.name, table); },
+        [&] { read_shapes(); }, [&] { read_sediments(); });
+    name_materials();
+    check_case(result_, origins_);
+    return std::move(result_);
+  }
+
+ private:
+  template <class Table>
+  void read_table(const std::string& path, Table& table) {
+    TableReader reader(root_.at_path(path).as_table(), path, result_.info.dimension, origins_);
+    table.describe(reader);
+  }
+
+  void read_shapes() {
+    const toml::array* shapes = root_["shape"].as_array();
+    if (shapes == nullptr) return;
+    for (const toml::node& node : *shapes) {
+      Shape& shape = result_.shapes.emplace_back();
+      TableReader reader(node.as_table(), "shape." + name_of_shape(*node.as_table()), result_.info.dimension, origins_);
+      shape.describe(reader);
+      shape.line = static_cast<int>(node.source().begin.line);
+    }
+  }
+
+  void read_sediments() {
+    const toml::table* materials = root_["materials"].as_table();
+    if (materials == nullptr) return;
+    for (const auto& [name, node] : *materials) {
+      if (name.str() == "water") continue;
+      const std::string path = fmt::format("materials.{}", name.str());
+      TableReader reader(node.as_table(), path, result_.info.dimension, origins_);
+      result_.sediments[std::string(name.str())].describe(reader);
+    }
+  }
+
+  void name_materials() {
+    if (result_.sediments.size() != 1) return;
+    for (Shape& shape : result_.shapes) {
+      if (shape.role == ShapeRole::sediment && shape.material.empty())
+        shape.material = result_.sediments.begin()->first;
+    }
+  }
+
+  const toml::table& root_;
+  CaseOrigins origins_;
+  Case result_;
+};
+
+fs::path find_case_file(const fs::path& given) {
+  if (fs::is_regular_file(given)) return given;
+  const fs::path inside = given / "case.toml";
+  if (fs::is_regular_file(inside)) return inside;
+  reject_case(given.string(),
+              fs::is_directory(given) ? "the folder holds no case.toml" : "there is no such file or folder",
+              "name a folder with case.toml, or the file");
+}
+
+}  // namespace
+
+Case read_case(const fs::path& case_path, const std::vector<std::string>& overrides) {
+  const fs::path file = find_case_file(case_path);
+  toml::table root = parse_case_toml(file);
+  for (const std::string& text : overrides) apply_override(root, text);
+  check_names(root, file.string());
+  return CaseReader(root, file).read();
+}
+
+}  // namespace thalweg

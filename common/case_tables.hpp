@@ -1,0 +1,41 @@
+#pragma once
+
+#include "common/case.hpp"
+
+namespace thalweg {
+
+/// What a table of the case file is, for the reference.
+struct TableHeading {
+  const char* name;     // as written between the brackets
+  const char* meaning;  // one sentence
+};
+
+inline constexpr TableHeading shape_heading{
+    "[shape]", "Geometry: one such table for every shape, in the order in which they are filled."};
+inline constexpr TableHeading water_heading{"materials.water", "The water."};
+inline constexpr TableHeading sediment_heading{"materials.<sediment>",
+                                               "A sediment, under the name by which shapes refer to it."};
+
+/// Calls visit(heading, table) for every table that occurs once, in reading order. Shapes and sediments, of which there
+/// may be several, stand where `visit_shapes()` and `visit_sediments()` are called.
+template <class Visit, class VisitShapes, class VisitSediments>
+void for_each_table(Case& of, Visit&& visit, VisitShapes&& visit_shapes, VisitSediments&& visit_sediments) {
+  visit(TableHeading{"case", "What the scene is."}, of.info);
+  visit(TableHeading{"domain", "Where it takes place."}, of.domain);
+  visit_shapes();
+  visit(water_heading, of.water);
+  visit_sediments();
+  visit(TableHeading{"model", "What the scene needs; off unless named."}, of.model);
+  visit(TableHeading{"numerics", "How it is computed."}, of.numerics);
+  visit(TableHeading{"output", "What is written, and when."}, of.output);
+  visit(TableHeading{"compare", "What the result is compared with."}, of.compare);
+  visit(TableHeading{"foam", "The mesh model of the same scene."}, of.foam);
+}
+
+/// Whether `key` means anything for a shape of this kind and role; a key that does not is an error, not ignored.
+bool shape_uses_key(const Shape& shape, std::string_view key, int dimension);
+
+/// The keys without which a shape of this kind is not defined.
+std::vector<std::string> shape_needs_keys(const Shape& shape, int dimension);
+
+}  // namespace thalweg

@@ -1,0 +1,222 @@
+#include "common/case_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "common/error.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const fs::path source = THALWEG_SOURCE_DIR;
+const fs::path good_case = source / "tests/common/good_case.toml";
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+std::string message_of(const fs::path& file, const std::vector<std::string>& overrides = {}) {
+  try {
+    read_case(file, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+// Every file of bad_cases is a case with one mistake; its first line is the message it must cause, without the folder.
+class BadCase : public ::testing::TestWithParam<fs::path> {};
+
+TEST_P(BadCase, CausesItsMessage) {
+  std::string expected;
+  std::ifstream file(GetParam());
+  std::getline(file, expected);
+  const std::string folder = (source / "tests/common/bad_cases/").string();
+  std::string message = message_of(GetParam());
+  if (message.starts_with(folder)) message.erase(0, folder.size());
+  EXPECT_EQ("# " + message, expected);
+}
+
+std::vector<fs::path> bad_cases() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(source / "tests/common/bad_cases")) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, BadCase, ::testing::ValuesIn(bad_cases()),
+                         [](const auto& parameter) { return parameter.param.stem().string(); });
+
+TEST(BadCases, AreMany) { EXPECT_GE(bad_cases().size(), 70U); }
+
+TEST(ReadCase, FillsWhatTheFileSays) {
+  const Case read = read_case(source / "cases/louvain");
+  EXPECT_EQ(read.info.name, "louvain");
+  EXPECT_EQ(read.info.dimension, 2);
+  EXPECT_EQ(read.domain.from, Vec3(-1.1, 0, -0.1));
+  EXPECT_EQ(read.domain.gravity, Vec3(0, 0, -9.81));
+  ASSERT_EQ(read.shapes.size(), 3U);
+  EXPECT_EQ(read.shapes[0].side, WallSide::outside);
+  EXPECT_THAT(read.shapes[0].open, ElementsAre("+z"));
+  EXPECT_EQ(read.shapes[1].role, ShapeRole::sediment);
+  EXPECT_EQ(read.shapes[1].material, "pvc") << "the only sediment is named where the case leaves it out";
+  EXPECT_EQ(read.shapes[2].to, Vec3(0, 0, 0.16));
+  EXPECT_GT(read.shapes[2].line, read.shapes[1].line);
+  EXPECT_TRUE(read.has_sediment());
+  EXPECT_DOUBLE_EQ(read.sediment().friction_angle, 38 * std::numbers::pi / 180);
+  EXPECT_DOUBLE_EQ(read.sediment().grain_diameter, 0.0035);
+  EXPECT_EQ(read.sediment().pore_density, 1000);
+  EXPECT_DOUBLE_EQ(read.numerics.spacing, 0.005);
+  EXPECT_EQ(read.numerics.sound_speed_factor, 10) << "default";
+  EXPECT_DOUBLE_EQ(read.smoothing_length(), 0.0075);
+  EXPECT_THAT(read.compare.times, ElementsAre(0.25, 0.5, 0.75, 1.0));
+  EXPECT_EQ(read.folder, fs::absolute(source / "cases/louvain").lexically_normal());
+}
+
+TEST(ReadCase, TakesTheNameFromTheFolder) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "scour pit";
+  fs::create_directories(folder);
+  std::string text = text_of(good_case);
+  text.erase(text.find("name = \"flume\"\n"), 15);
+  std::ofstream(folder / "case.toml") << text;
+  EXPECT_THAT(message_of(folder), HasSubstr("case.toml:1: case.name = \"scour pit\" cannot name files"));
+  fs::rename(folder / "case.toml", fs::path(::testing::TempDir()) / "case.toml");
+  EXPECT_EQ(read_case(::testing::TempDir()).info.name, fs::path(::testing::TempDir()).parent_path().filename());
+}
+
+TEST(ReadCase, ReadsThreeDimensions) {
+  const Case read = read_case(source / "tests/common/good_case_3d.toml");
+  EXPECT_EQ(read.shapes[1].from, Vec3(0, 0.1, -0.1));
+  EXPECT_EQ(read.shapes[2].kind, ShapeKind::combine_difference);
+  EXPECT_THAT(read.domain.periodic, ElementsAre("y"));
+}
+
+TEST(ReadCase, SaysWhereItLooked) {
+  EXPECT_EQ(message_of("no/such/folder"),
+            "no/such/folder: there is no such file or folder; name a folder with case.toml, or the file");
+  EXPECT_EQ(message_of(source / "docs"),
+            (source / "docs").string() + ": the folder holds no case.toml; name a folder with case.toml, or the file");
+}
+
+TEST(Overrides, TakeTextsNumbersAndToml) {
+  const Case read = read_case(good_case, {"numerics.spacing=4 mm", "output.end=\"2 s\"", "materials.pvc.porosity=0.4",
+                                          "shape.tank.to=[\"0.1 m\", \"0.2 m\"]", "model.yield_fit=outer",
+                                          "materials.water.density=998 kg/m^3", "foam.cell=2 cm"});
+  EXPECT_DOUBLE_EQ(read.numerics.spacing, 0.004);
+  EXPECT_EQ(read.output.end, 2);
+  EXPECT_EQ(read.sediment().porosity, 0.4);
+  EXPECT_EQ(read.shapes[2].to, Vec3(0.1, 0, 0.2));
+  EXPECT_EQ(read.model.yield_fit, YieldFit::outer);
+  EXPECT_EQ(read.water.density, 998);
+  EXPECT_EQ(read.foam.cell, 0.02);
+}
+
+TEST(Overrides, NameThemselvesInMessages) {
+  const auto message = [](const char* text) { return message_of(good_case, {text}); };
+  EXPECT_EQ(message("numerics.spacng=4 mm"), "--set numerics.spacng=4 mm: unknown key; did you mean numerics.spacing?");
+  EXPECT_EQ(message("numerics.spacing=4"),
+            "--set numerics.spacing=4: numerics.spacing = 4 has no unit; write it as a text, such as \"4 m\"");
+  EXPECT_EQ(message("numerics.spacing=4 kg"),
+            "--set numerics.spacing=4 kg: numerics.spacing: \"kg\" does not measure m; give it in m or a unit that "
+            "converts to it");
+  EXPECT_EQ(message("model.sediment=off"),
+            "--set model.sediment=off: there is a sediment shape, and model.sediment is off; write sediment = "
+            "\"viscoplastic\" in [model]");
+  EXPECT_EQ(message("shape.tonk.to=[\"0 m\", \"0 m\"]"),
+            "--set shape.tonk.to=[\"0 m\", \"0 m\"]: there is no shape \"tonk\"; the shapes are walls, bed, tank");
+  EXPECT_EQ(message("materials.sand.porosity=0.4"),
+            "--set materials.sand.porosity=0.4: there is no material \"sand\"; the materials are pvc");
+  EXPECT_EQ(message("spacing=4 mm"),
+            "--set spacing=4 mm: not a key; write table.key=value, shape.NAME.key=value or materials.NAME.key=value; "
+            "`thalweg explain` lists the keys");
+  EXPECT_EQ(message("numerics.spacing"), "--set numerics.spacing: has no value; write --set table.key=value");
+  EXPECT_EQ(message("compare.times=[\"1 s\""),
+            "--set compare.times=[\"1 s\": the value is not TOML: Error while parsing array: encountered end-of-file; "
+            "correct it");
+  EXPECT_THAT(message("numeric.spacing=4 mm"), HasSubstr("unknown table numeric; did you mean numerics?"));
+}
+
+class ResolvedCase : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ResolvedCase, ReadsBackEqual) {
+  const Case original = read_case(source / GetParam(), {"numerics.cfl=0.1234567890123456789"});
+  const fs::path file = fs::path(::testing::TempDir()) / "case.resolved.toml";
+  write_case(file, original);
+  const Case again = read_case(file);
+  EXPECT_EQ(hash_of(again), hash_of(original));
+  EXPECT_EQ(again.folder, original.folder);
+  EXPECT_EQ(again.file, file);
+  EXPECT_EQ(again.numerics.cfl, original.numerics.cfl);
+  EXPECT_EQ(again.shapes.size(), original.shapes.size());
+
+  const fs::path second = fs::path(::testing::TempDir()) / "again.resolved.toml";
+  write_case(second, again);
+  EXPECT_EQ(text_of(second), text_of(file));
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, ResolvedCase,
+                         ::testing::Values("cases/louvain", "tests/common/good_case.toml",
+                                           "tests/common/good_case_3d.toml"));
+
+TEST(HashOf, FollowsValuesOnly) {
+  const std::string hash = hash_of(read_case(good_case));
+  EXPECT_EQ(hash.size(), 16U);
+  EXPECT_EQ(hash_of(read_case(good_case, {"numerics.spacing=0.5 cm"})), hash);
+  EXPECT_NE(hash_of(read_case(good_case, {"numerics.spacing=0.51 cm"})), hash);
+}
+
+TEST(Sediment, MustBeOne) {
+  Case empty;
+  EXPECT_FALSE(empty.has_sediment());
+  EXPECT_THROW((void)empty.sediment(), InputError);
+  empty.sediments["a"];
+  empty.sediments["b"];
+  EXPECT_THROW((void)empty.sediment(), InputError);
+}
+
+std::string explained(const std::string& key) {
+  std::ostringstream text;
+  explain(text, key);
+  return text.str();
+}
+
+TEST(Explain, FindsKeysHoweverTheyAreNamed) {
+  const std::string expected =
+      "numerics.spacing\n  m, 1 um to 100 m; required\n  Distance of the particles at the start (dp).\n";
+  EXPECT_EQ(explained("numerics.spacing"), expected);
+  EXPECT_EQ(explained("spacing"), expected);
+  EXPECT_THAT(explained("numerics"), HasSubstr(expected));
+  EXPECT_THAT(explained(""), HasSubstr(expected));
+  EXPECT_THAT(explained("materials.pvc.porosity"), HasSubstr("materials.<sediment>.porosity\n"));
+  EXPECT_THAT(explained("shape.kind"), HasSubstr("\"difference\": the first shape of `of` without the others"));
+  try {
+    explained("spacng");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "explain: there is no key or table spacng; did you mean spacing?");
+  }
+}
+
+// The two files are generated; `cmake --build <build> --target docs` writes them anew.
+TEST(Documentation, IsWhatTheDeclarationsSay) {
+  std::ostringstream markdown;
+  write_key_reference(markdown);
+  EXPECT_EQ(text_of(source / "docs/case-file.md"), markdown.str()) << "build the target `docs`";
+  std::ostringstream schema;
+  write_key_schema(schema);
+  EXPECT_EQ(text_of(source / "docs/case-file.schema.json"), schema.str()) << "build the target `docs`";
+}
+
+}  // namespace
+}  // namespace thalweg
