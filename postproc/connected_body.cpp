@@ -1,0 +1,105 @@
+#include "postproc/connected_body.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace thalweg {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+// Where a value falls through 1/2 on the way from one height to the next.
+double crossing(double z_full, double full, double z_less, double less) {
+  return z_full + (z_less - z_full) * (full - 0.5) / (full - less);
+}
+
+}  // namespace
+
+ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<double>& phase)
+    : sums_(sums), phase_(phase), belongs_(sums.grid.size(), false) {
+  const SliceGrid& grid = sums.grid;
+  bool any_wall = false;
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < grid.nx; ++i) {
+    for (std::size_t k = 0; k < grid.nz; ++k) {
+      const std::size_t node = grid.node(i, k);
+      any_wall = any_wall || sums_.in_wall(node);
+      if (!belongs_[node] && stands_on_wall(i, k) && is_filled(node)) spread_from(node, members);
+    }
+  }
+  if (!any_wall) keep_largest();
+}
+
+bool ConnectedBody::stands_on_wall(std::size_t column, std::size_t row) const {
+  return row > 0 && sums_.in_wall(sums_.grid.node(column, row - 1));
+}
+
+// Adds all filled nodes connected to `node`; returns how many, and leaves them in `members`.
+std::size_t ConnectedBody::spread_from(std::size_t node, std::vector<std::size_t>& members) {
+  const SliceGrid& grid = sums_.grid;
+  members.assign(1, node);
+  belongs_[node] = true;
+  for (std::size_t next = 0; next < members.size(); ++next) {
+    const std::size_t column = members[next] / grid.nz;
+    const std::size_t row = members[next] % grid.nz;
+    const std::array<std::size_t, 4> neighbours{
+        column > 0 ? members[next] - grid.nz : none, column + 1 < grid.nx ? members[next] + grid.nz : none,
+        row > 0 ? members[next] - 1 : none, row + 1 < grid.nz ? members[next] + 1 : none};
+    for (const std::size_t neighbour : neighbours) {
+      if (neighbour == none || belongs_[neighbour] || !is_filled(neighbour)) continue;
+      belongs_[neighbour] = true;
+      members.push_back(neighbour);
+    }
+  }
+  return members.size();
+}
+
+void ConnectedBody::keep_largest() {
+  std::vector<std::size_t> members;
+  std::vector<std::size_t> largest;
+  for (std::size_t node = 0; node < belongs_.size(); ++node) {
+    if (belongs_[node] || !is_filled(node)) continue;
+    if (spread_from(node, members) > largest.size()) largest.swap(members);
+  }
+  std::fill(belongs_.begin(), belongs_.end(), false);
+  for (const std::size_t node : largest) belongs_[node] = true;
+}
+
+std::size_t ConnectedBody::highest_row(std::size_t column) const {
+  for (std::size_t k = sums_.grid.nz; k-- > 0;) {
+    if (belongs_[sums_.grid.node(column, k)]) return k;
+  }
+  return none;
+}
+
+double ConnectedBody::top(std::size_t column) const {
+  const SliceGrid& grid = sums_.grid;
+  const std::size_t k = highest_row(column);
+  if (k == none) return absent;
+  const std::size_t above = grid.node(column, k + 1);
+  if (k + 1 == grid.nz || sums_.in_wall(above)) return grid.z(k);  // it reaches the grid's edge or a lid
+  return crossing(grid.z(k), fraction(grid.node(column, k)), grid.z(k + 1), fraction(above));
+}
+
+double ConnectedBody::base(std::size_t column) const {
+  const SliceGrid& grid = sums_.grid;
+  std::size_t k = highest_row(column);
+  if (k == none) return absent;
+  std::size_t lowest_of_body = k;
+  while (k > 0 && !sums_.in_wall(grid.node(column, k))) {
+    if (belongs_[grid.node(column, k)]) lowest_of_body = k;
+    --k;
+  }
+  if (!sums_.in_wall(grid.node(column, k))) {
+    k = lowest_of_body;
+    if (k == 0) return grid.z(0);
+    return crossing(grid.z(k), fraction(grid.node(column, k)), grid.z(k - 1), fraction(grid.node(column, k - 1)));
+  }
+  const auto wall_fraction = [&](std::size_t row) { return sums_.floor_alone(grid.node(column, row)); };
+  while (k + 1 < grid.nz && wall_fraction(k + 1) >= 0.5) ++k;
+  if (k + 1 == grid.nz || wall_fraction(k) < 0.5) return grid.z(k);
+  return crossing(grid.z(k), wall_fraction(k), grid.z(k + 1), wall_fraction(k + 1));
+}
+
+}  // namespace thalweg

@@ -1,0 +1,149 @@
+#include "postproc/constants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/case_tables.hpp"
+#include "common/units.hpp"
+
+namespace thalweg {
+namespace {
+
+// A visitor of describe() that writes every value as text.
+class ValueList {
+ public:
+  explicit ValueList(int dimension) : dimension_(dimension) {}
+
+  void quantity(const char* key, double& value, const char* unit, double, double, const char* sentence) {
+    add(key, format_quantity(value, unit), sentence);
+  }
+  void number(const char* key, double& value, double, double, const char* sentence) {
+    add(key, fmt::format("{:g}", value), sentence);
+  }
+  void integer(const char* key, int& value, double, double, const char* sentence) {
+    add(key, fmt::format("{}", value), sentence);
+  }
+  void flag(const char* key, bool& value, const char* sentence) { add(key, value ? "yes" : "no", sentence); }
+  void text(const char* key, std::string& value, const char* sentence) { add(key, value, sentence); }
+  void texts(const char* key, std::vector<std::string>& values, const char* sentence) {
+    add(key, fmt::format("{}", fmt::join(values, ", ")), sentence);
+  }
+  void point(const char* key, Vec3& value, const char* unit, const char* sentence) {
+    std::string text = format_quantity(value.x(), unit);
+    if (dimension_ == 3) text += ", " + format_quantity(value.y(), unit);
+    add(key, text + ", " + format_quantity(value.z(), unit), sentence);
+  }
+  void quantities(const char* key, std::vector<double>& values, const char* unit, double, double,
+                  const char* sentence) {
+    std::vector<std::string> texts;
+    for (const double value : values) texts.push_back(format_quantity(value, unit));
+    add(key, fmt::format("{}", fmt::join(texts, ", ")), sentence);
+  }
+  template <class E>
+  void choice(const char* key, E& value, const char* sentence) {
+    for (const Choice<E>& candidate : choices(E{})) {
+      if (candidate.value == value) add(key, fmt::format("{}: {}", candidate.name, candidate.sentence), sentence);
+    }
+  }
+
+  std::vector<Constant> rows;
+
+ private:
+  void add(const char* key, std::string value, const char* sentence) {
+    rows.push_back({key, value.empty() ? "–" : std::move(value), sentence, false});
+  }
+  int dimension_;
+};
+
+template <class Table>
+std::vector<Constant> values_of(Table& table, int dimension) {
+  ValueList given(dimension);
+  table.describe(given);
+  Table untouched;
+  ValueList defaults(dimension);
+  untouched.describe(defaults);
+  for (std::size_t i = 0; i < given.rows.size(); ++i) {
+    given.rows[i].is_default = given.rows[i].value == defaults.rows[i].value;
+  }
+  return given.rows;
+}
+
+// A visitor that finds the choices of a table; the word "off" is what every model part uses for its absence.
+class SwitchList {
+ public:
+  template <class E>
+  void choice(const char* key, E& value, const char*) {
+    for (const Choice<E>& candidate : choices(E{})) {
+      if (candidate.value != value) continue;
+      const bool on = std::string(candidate.name) != "off";
+      found.push_back({on ? fmt::format("{} = {}", key, candidate.name) : key, on, candidate.sentence});
+    }
+  }
+  void flag(const char* key, bool& value, const char* sentence) { found.push_back({key, value, sentence}); }
+  template <class... Anything>
+  void quantity(Anything&&...) {}
+  template <class... Anything>
+  void quantities(Anything&&...) {}
+  template <class... Anything>
+  void number(Anything&&...) {}
+  template <class... Anything>
+  void integer(Anything&&...) {}
+  template <class... Anything>
+  void text(Anything&&...) {}
+  template <class... Anything>
+  void texts(Anything&&...) {}
+  template <class... Anything>
+  void point(Anything&&...) {}
+
+  std::vector<Switch> found;
+};
+
+}  // namespace
+
+std::vector<ConstantTable> list_constants(const Case& resolved) {
+  Case copy = resolved;  // describe() hands out references to the values
+  const int dimension = copy.info.dimension;
+  std::vector<ConstantTable> tables;
+  for_each_table(
+      copy,
+      [&](const TableHeading& heading, auto& table) {
+        tables.push_back({heading.name, values_of(table, dimension)});
+      },
+      [&] {
+        for (Shape& shape : copy.shapes) {
+          std::vector<Constant> rows = values_of(shape, dimension);
+          std::erase_if(rows, [&](const Constant& row) {
+            return row.key == "name" || row.value == "–" || !shape_uses_key(shape, row.key, dimension);
+          });
+          tables.push_back({"shape " + shape.name, rows});
+        }
+      },
+      [&] {
+        for (auto& [name, sediment] : copy.sediments) {
+          tables.push_back({"materials." + name, values_of(sediment, dimension)});
+        }
+      });
+  return tables;
+}
+
+std::vector<Switch> list_switches(const Case& resolved) {
+  Case copy = resolved;
+  SwitchList model;
+  copy.model.describe(model);
+  std::vector<Switch> all = model.found;
+
+  all.push_back({"density diffusion", copy.numerics.density_diffusion > 0, "Between particles of one phase."});
+  all.push_back(
+      {"artificial viscosity", copy.numerics.artificial_viscosity > 0, "Between approaching particles of one phase."});
+  for (auto& [name, sediment] : copy.sediments) {
+    all.push_back({"cohesion of " + name, sediment.cohesion > 0, "Yield stress without any effective pressure."});
+  }
+  std::vector<std::string> directions = copy.domain.periodic;
+  all.push_back(
+      {"periodic directions", !directions.empty(),
+       directions.empty() ? "The domain ends at its walls." : fmt::format("{}", fmt::join(directions, ", "))});
+  return all;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/case.hpp"
+
+namespace thalweg {
+
+/// One key of a resolved case as a reader wants to see it.
+struct Constant {
+  std::string key;
+  std::string value;  // with its unit
+  std::string meaning;
+  bool is_default = false;
+};
+
+struct ConstantTable {
+  std::string name;
+  std::vector<Constant> rows;
+};
+
+/// Every key of a case with its value, table by table, read from the declarations the case parser uses. Shapes are
+/// reduced to the keys that mean something for them.
+std::vector<ConstantTable> list_constants(const Case& resolved);
+
+/// A part of the model and whether this run has it.
+struct Switch {
+  std::string name;
+  bool on = false;
+  std::string meaning;
+};
+
+/// What is on and what is off: the choices of [model], and the numerical terms a zero switches off.
+std::vector<Switch> list_switches(const Case& resolved);
+
+}  // namespace thalweg

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace thalweg {
+
+/// What became of a script.
+enum class GnuplotResult { drawn, not_installed };
+
+/// Runs `gnuplot script` in the script's folder, without a display. The program may be named otherwise by the
+/// environment variable THALWEG_GNUPLOT. Throws RunError with gnuplot's own message when the script fails.
+GnuplotResult run_gnuplot(const std::filesystem::path& script);
+
+/// A text as a single-quoted gnuplot string.
+std::string gnuplot_string(std::string_view text);
+
+}  // namespace thalweg

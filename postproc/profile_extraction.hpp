@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "common/particles.hpp"
+#include "common/profile.hpp"
+
+namespace thalweg {
+
+/// Where and how profiles are taken. The x grid has the particles' spacing dp and lies at multiples of it.
+struct ExtractionSettings {
+  double x_from = -std::numeric_limits<double>::infinity();  // [m] narrowed to where the walls leave room for a flow
+  double x_to = std::numeric_limits<double>::infinity();     // [m]
+  double z_from = -std::numeric_limits<double>::infinity();  // [m] nothing outside is looked at
+  double z_to = std::numeric_limits<double>::infinity();     // [m]
+  double plane_y = 0;                                        // [m] 3-D: the plane of the profile
+  double rest_speed = 0.01;                                  // [m/s] slower sediment rests, where there is no State
+};
+
+/// Layers thinner than this share of the spacing count as absent: half of one layer of particles.
+inline constexpr double least_layer = 0.5;
+
+/// A profile and what it was measured from.
+struct ExtractedProfile {
+  Profile profile;            // without sediment in the set, `bed` and `moving_bed` are empty
+  std::vector<double> floor;  // [m] per x: the wall under the fluid; NaN where there is none
+  double front = std::numeric_limits<double>::quiet_NaN();  // [m] water_front of the profile
+};
+
+/// Free surface, bed and moving bed of a particle set.
+///
+/// The volume fraction of a phase is a kernel sum over its particles (VolumeFractions) on a grid of dp/2; a surface is
+/// where it crosses 1/2. Of the nodes above 1/2 only those count that are connected to the floor (neighbours along x
+/// or z): a drop in the air or a floating grain moves nothing. In a column the surface is the highest crossing of that
+/// body, so an overhanging wave shows its crest and the air under it is passed over.
+///
+/// free_surface: water and sediment together, so it is the bed where the bed is dry. bed: sediment alone. moving_bed:
+/// sediment at rest, which is State deposit where the set has states, and |u| < rest_speed otherwise. Where water
+/// stands on a floor bare of sediment (or nothing rests), bed (or moving_bed) is the floor. Columns with less than
+/// least_layer * dp of anything are NaN throughout. A set without walls has no floor: its largest body counts.
+///
+/// Needs Type and positions, spacing and smoothing length in `particles.info`; without mass and density every particle
+/// has the volume of its lattice cell; without State and Velocity there is no moving bed. Throws InputError when
+/// spacing or smoothing length are missing.
+ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionSettings& settings);
+
+/// Whether a set's State says which sediment rests (some sediment particle has a state).
+bool has_sediment_states(const ParticleSet& particles);
+
+/// Tip of the water: the largest x at which water is deeper than `least_depth` [m], interpolated between columns.
+/// Water is what lies between `bed` (or, without that column, `floor`) and `free_surface`. NaN without water.
+double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth);
+
+}  // namespace thalweg

@@ -1,0 +1,99 @@
+#include "postproc/profile_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+TimedProfile read_timed(const fs::path& file) {
+  const std::optional<double> time = time_of_profile(file);
+  if (!time) {
+    throw InputError(file.string() + ": the name does not say the time of the profile; rename it like " +
+                     profile_file_name(0.25) + " for 0.25 s");
+  }
+  return {*time, file, read_profile(file)};
+}
+
+void sort_by_time(ProfileSet& set) {
+  std::sort(set.profiles.begin(), set.profiles.end(),
+            [](const TimedProfile& a, const TimedProfile& b) { return a.time < b.time; });
+}
+
+// A label people recognise: the folder's name, or its parent's where the folder is just called "profiles".
+std::string label_of(const fs::path& path) {
+  fs::path folder = fs::is_directory(path) ? path.lexically_normal() : path.lexically_normal().parent_path();
+  if (folder.filename().empty()) folder = folder.parent_path();
+  if (folder.filename() == "profiles") folder = folder.parent_path();
+  const std::string name = folder.filename().string();
+  return name.empty() || name == "." || name == ".." ? path.stem().string() : name;
+}
+
+}  // namespace
+
+const TimedProfile* ProfileSet::at(double time) const {
+  for (const TimedProfile& candidate : profiles) {
+    if (std::abs(candidate.time - time) <= same_time) return &candidate;
+  }
+  return nullptr;
+}
+
+bool holds_profiles(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return false;
+  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [](const fs::directory_entry& entry) { return time_of_profile(entry.path()).has_value(); });
+}
+
+ProfileSet read_profile_set(const fs::path& folder_or_file, const std::string& label, SourceKind kind) {
+  ProfileSet set{label, kind, folder_or_file, {}};
+  if (!fs::exists(folder_or_file)) {
+    throw InputError(folder_or_file.string() +
+                     ": there is no such file or folder; name a profile (t0.250.csv), a folder of them or a run");
+  }
+  if (fs::is_regular_file(folder_or_file)) {
+    set.profiles.push_back(read_timed(folder_or_file));
+    return set;
+  }
+  const bool is_run = !holds_profiles(folder_or_file) && holds_profiles(folder_or_file / "profiles");
+  for (const auto& entry : fs::directory_iterator(is_run ? folder_or_file / "profiles" : folder_or_file)) {
+    if (time_of_profile(entry.path())) set.profiles.push_back(read_timed(entry.path()));
+  }
+  if (set.profiles.empty()) {
+    throw InputError(folder_or_file.string() + ": holds no profile; they are named like " + profile_file_name(0.25));
+  }
+  sort_by_time(set);
+  return set;
+}
+
+std::vector<ProfileSet> read_named_sets(const std::vector<std::string>& arguments) {
+  std::vector<ProfileSet> sets;
+  for (const std::string& argument : arguments) {
+    const std::size_t equals = argument.find('=');
+    const bool named = equals != std::string::npos && !fs::exists(argument);
+    const fs::path path = named ? argument.substr(equals + 1) : argument;
+    const std::string label = named ? argument.substr(0, equals) : label_of(path);
+    ProfileSet set = read_profile_set(path, label, SourceKind::other);
+    const auto known =
+        std::find_if(sets.begin(), sets.end(), [&](const ProfileSet& other) { return other.label == label; });
+    if (known == sets.end()) {
+      sets.push_back(std::move(set));
+      continue;
+    }
+    for (TimedProfile& profile : set.profiles) {
+      if (known->at(profile.time) != nullptr) {
+        throw InputError(profile.file.string() + ": \"" + label + "\" already has a profile at this time (" +
+                         known->at(profile.time)->file.string() +
+                         "); give them different labels: --compare LABEL=PATH");
+      }
+      known->profiles.push_back(std::move(profile));
+    }
+    sort_by_time(*known);
+  }
+  return sets;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,108 @@
+#include "postproc/report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "common/csv.hpp"
+#include "common/io/particle_file.hpp"
+#include "common/whole_file.hpp"
+#include "postproc/figures.hpp"
+#include "postproc/gnuplot.hpp"
+#include "postproc/html.hpp"
+#include "postproc/report_sections.hpp"
+#include "postproc/report_style.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The curves of every source as they are drawn, in one format, so that the report's folder can travel alone.
+std::vector<fs::path> write_curves(const ReportInput& input) {
+  std::vector<fs::path> folders;
+  std::set<std::string> taken;
+  for (const ProfileSet& set : input.sets) {
+    std::string name = folder_name_of(set.label);
+    while (!taken.insert(name).second) name += "_";
+    folders.push_back(input.run.report() / "data" / name);
+    for (const TimedProfile& timed : set.profiles) {
+      std::vector<std::string> comments{set.label + ", copied for the pictures from " + timed.file.string()};
+      for (const std::string& line : comments_in(timed.file)) comments.push_back(line);
+      write_profile(folders.back() / profile_file_name(timed.time), timed.profile, comments);
+    }
+  }
+  return folders;
+}
+
+// The front of every source at the times of its profiles, found as the run's own.
+void write_fronts(const fs::path& file, const ReportInput& input) {
+  const double least_depth = least_layer * input.extraction.info.spacing;
+  std::vector<CsvColumn> columns{{"time", "s"}};
+  for (const ProfileSet& set : input.sets) columns.push_back({set.label, "m"});
+  CsvTable table(columns);
+  table.comments.push_back(fmt::format("largest x with more than {:g} m of water over the bed", least_depth));
+  for (const TimedProfile& row : input.extraction.written) {
+    std::vector<std::string> cells{csv_number(row.time)};
+    for (const ProfileSet& set : input.sets) {
+      const TimedProfile* timed = set.at(row.time);
+      double front = timed != nullptr ? water_front(timed->profile, {}, least_depth) : Profile::missing;
+      for (const FrontSample& sample : input.extraction.fronts) {
+        // Without sediment the run's profile alone does not say where the floor is; the extraction knew.
+        if (set.kind == SourceKind::run && std::abs(sample.time - row.time) <= same_time) front = sample.front;
+      }
+      cells.push_back(std::isnan(front) ? "" : fmt::format("{:.5f}", front));
+    }
+    table.add_row(std::move(cells));
+  }
+  table.write(file);
+}
+
+std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pictures) {
+  const std::vector<fs::path> data = write_curves(input);
+  const fs::path fronts = input.run.report() / "fronts.csv";
+  write_fronts(fronts, input);
+  const PictureFrame frame = frame_around(input.sets, input.resolved.compare.from, input.resolved.compare.to);
+  const FigureWriter writer(pictures);
+  std::vector<fs::path> scripts;
+  for (const TimedProfile& timed : input.extraction.written) {
+    scripts.push_back(writer.profiles(timed.time, input.sets, data, frame));
+  }
+  scripts.push_back(writer.front(input.run.profiles() / "front.csv", fronts, input.sets));
+  if (input.history.rows > 0) {
+    scripts.push_back(writer.energies(input.run.history(), !input.history.internal_energy.empty(),
+                                      input.resolved.info.dimension == 2 ? "J/m" : "J"));
+  }
+  constexpr std::size_t most_points = 200'000;  // more than a picture resolves
+  const fs::path table = input.run.report() / "data" / "particles.csv";
+  write_particle_table(table, read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
+  scripts.push_back(writer.particles(table, frame, input.extraction.info.spacing));
+  return scripts;
+}
+
+}  // namespace
+
+bool write_report(const ReportInput& input) {
+  const fs::path pictures = input.run.report() / "pictures";
+  bool drawn = true;
+  for (const fs::path& script : write_scripts(input, pictures)) {
+    drawn = drawn && run_gnuplot(script) == GnuplotResult::drawn;
+  }
+  namespace part = report_sections;
+  const std::string title = input.resolved.info.title.empty() ? input.resolved.info.name : input.resolved.info.title;
+  write_whole_text(input.run.report() / "index.html", [&](std::ostream& page) {
+    page << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << html::escape(title)
+         << "</title>\n<style>" << report_style << "</style>\n</head>\n<body>\n";
+    page << part::heading(input) << part::at_a_glance(input);
+    if (!input.warnings.empty()) page << part::remarks(input);
+    page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
+         << part::particles(input, pictures) << part::run_numbers(input) << part::model(input);
+    if (input.warnings.empty()) page << part::remarks(input);
+    page << part::provenance(input) << "</body>\n</html>\n";
+  });
+  return drawn;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/case.hpp"
+#include "common/run_folder.hpp"
+#include "postproc/comparison.hpp"
+#include "postproc/extraction_run.hpp"
+#include "postproc/run_records.hpp"
+
+namespace thalweg {
+
+/// A mesh model beside the run.
+struct MeshModel {
+  std::string label;
+  std::vector<Quantity> summary;
+};
+
+/// Everything the page is made of; the page adds nothing that is not here or in the files it names.
+struct ReportInput {
+  Case resolved;
+  RunFolder run;
+  ExtractionRun extraction;
+  std::vector<ProfileSet> sets;  // the run first
+  Comparison comparison;
+  std::vector<std::string> reference_notes;  // empty slots and the like, in words
+  std::vector<Repeatability> repeatability;
+  History history;
+  std::vector<Timing> timing;
+  std::vector<Quantity> summary;
+  std::vector<MeshModel> meshes;
+  std::vector<std::string> compare_arguments;
+  std::vector<std::string> warnings;
+};
+
+/// Writes report/pictures (gnuplot scripts and what they draw), report/data (the curves as drawn) and
+/// report/index.html, a page that needs no other file and no network. Returns false when the pictures are missing
+/// because gnuplot is not installed; the page then says so. Throws RunError.
+bool write_report(const ReportInput& input);
+
+}  // namespace thalweg

@@ -1,0 +1,152 @@
+// What was run: the lower half of the report.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "postproc/constants.hpp"
+#include "postproc/html.hpp"
+#include "postproc/report_sections.hpp"
+
+namespace thalweg::report_sections {
+namespace {
+
+using html::escape;
+
+// "1234567.8" → "1 234 568"; texts and small numbers stay as they are.
+std::string readable(const std::string& value) {
+  const std::optional<double> number = number_of({{"", value, ""}}, "");
+  if (!number || value.find_first_of("eExX") != std::string::npos) return escape(value);
+  if (std::abs(*number) >= 1e4) return html::grouped(*number);
+  if (value.find('.') == std::string::npos) return escape(value);
+  return fmt::format("{:.5g}", *number);
+}
+
+std::string quantity_table(const std::vector<Quantity>& quantities) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Quantity& quantity : quantities) {
+    std::string name = quantity.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    rows.push_back({escape(name), readable(quantity.value), quantity.unit == "-" ? "" : escape(quantity.unit)});
+  }
+  return html::table({}, rows, "lrl");
+}
+
+std::string bar(double share) {
+  return fmt::format("<span class=\"bar\" style=\"width:{:.1f}px\"></span>", 160 * std::clamp(share, 0.0, 1.0));
+}
+
+std::string limiter_table(const History& history) {
+  std::vector<std::vector<std::string>> rows;
+  for (const History::Share& entry : history.limiters) {
+    rows.push_back({escape(entry.limiter), fmt::format("{:.1f} %", 100 * entry.share), bar(entry.share)});
+  }
+  return html::table({"limited by", "share", ""}, rows, "lrl");
+}
+
+std::string timing_table(const std::vector<Timing>& timing) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Timing& entry : timing) {
+    rows.push_back({escape(entry.heading), fmt::format("{:.2f}", entry.seconds),
+                    fmt::format("{:.1f} %", 100 * entry.share), bar(entry.share), html::grouped(entry.calls)});
+  }
+  return html::table({"heading", "seconds", "share", "", "calls"}, rows, "lrrlr");
+}
+
+std::string mass_sentence(const History& history) {
+  const auto drift = [](const std::vector<double>& mass) {
+    return mass.empty() || mass.front() == 0 ? 0 : (mass.back() - mass.front()) / mass.front();
+  };
+  if (history.water_mass.empty()) return "";
+  return fmt::format("<p>Mass from the first to the last row: water {:+.2g} of itself, sediment {:+.2g}.</p>\n",
+                     drift(history.water_mass), drift(history.sediment_mass));
+}
+
+}  // namespace
+
+std::string run_numbers(const ReportInput& input) {
+  std::string text = "<h2>How the runs went</h2>\n<div class=\"pair\">\n<div>\n<h3>This run</h3>\n";
+  text += input.summary.empty() ? "<p>summary.csv is missing.</p>\n" : quantity_table(input.summary);
+  text += "</div>\n<div>\n";
+  if (!input.timing.empty()) text += "<h3>Where the time went</h3>\n" + timing_table(input.timing);
+  if (!input.history.limiters.empty()) {
+    const auto [least, most] = std::minmax_element(input.history.dt.begin(), input.history.dt.end());
+    text += "<h3>What limited the time step</h3>\n" + limiter_table(input.history);
+    text += fmt::format(
+        "<p class=\"small\">Share of the {} rows of <a href=\"../history.csv\">history.csv</a>; the step lay "
+        "between {:.3g} and {:.3g} s.</p>\n",
+        input.history.rows, *least, *most);
+  }
+  text += mass_sentence(input.history) + "</div>\n</div>\n";
+  for (const MeshModel& mesh : input.meshes) {
+    text += fmt::format("<h3>Mesh model: {}</h3>\n{}", escape(mesh.label), quantity_table(mesh.summary));
+  }
+  if (input.meshes.empty()) text += "<p>No mesh model has been run beside it (foam/summary.csv is not there).</p>\n";
+  return text;
+}
+
+std::string model(const ReportInput& input) {
+  std::vector<std::vector<std::string>> switches;
+  for (const Switch& entry : list_switches(input.resolved)) {
+    switches.push_back({entry.on ? "<span class=\"on\">on</span>" : "<span class=\"off\">off</span>",
+                        escape(entry.name), escape(entry.meaning)});
+  }
+  std::string text =
+      "<h2>The model</h2>\n<h3>What is on, what is off</h3>\n" + html::table({"", "part", ""}, switches, "lll", "wide");
+  std::vector<std::vector<std::string>> rows;
+  for (const ConstantTable& table : list_constants(input.resolved)) {
+    if (table.name == "case" || table.name == "compare") continue;  // stand elsewhere on the page
+    rows.push_back({"<span class=\"small\">[" + escape(table.name) + "]</span>", "", "", ""});
+    for (const Constant& constant : table.rows) {
+      rows.push_back({"<code>" + escape(constant.key) + "</code>", escape(constant.value),
+                      constant.is_default ? "default" : "case",
+                      "<span class=\"soft\">" + escape(constant.meaning) + "</span>"});
+    }
+  }
+  return text + "<h3>Constants</h3>\n" + html::table({"key", "value", "from", "meaning"}, rows, "llll", "long wide") +
+         "<p class=\"small\">From <a href=\"../case.resolved.toml\">case.resolved.toml</a>.</p>\n";
+}
+
+std::string remarks(const ReportInput& input) {
+  if (input.warnings.empty()) return "<h2>Warnings</h2>\n<p>None.</p>\n";
+  std::string text = "<h2>Warnings</h2>\n<div class=\"warnings\"><ul>\n";
+  for (const std::string& warning : input.warnings) text += "<li>" + escape(warning) + "</li>\n";
+  return text + "</ul></div>\n";
+}
+
+std::string provenance(const ReportInput& input) {
+  const ParticleFileInfo& info = input.extraction.info;
+  std::string text = "<h2>How this was made</h2>\n";
+  text += fmt::format(
+      "<p>Free surface, bed and moving bed are where the volume fraction of water and sediment, of sediment, and of "
+      "sediment at rest ({}) crosses one half. The fraction is a kernel sum over the particles (Wendland C2, h = {:g} "
+      "mm) on "
+      "a grid of {:g} mm; only bodies connected to the floor count, and in each column their highest crossing. Layers "
+      "thinner than {:g} spacing count as absent.</p>\n",
+      escape(input.extraction.rest_criterion), 1e3 * info.smoothing_length, 1e3 * info.spacing / 2, least_layer);
+  std::vector<std::vector<std::string>> sources;
+  for (const ProfileSet& set : input.sets) {
+    std::string comments;
+    if (set.kind != SourceKind::run && !set.profiles.empty()) {
+      for (const std::string& line : comments_in(set.profiles.front().file)) comments += escape(line) + "<br>";
+    }
+    sources.push_back({escape(set.label), "<code>" + escape(set.origin.string()) + "</code>",
+                       "<span class=\"small\">" + comments + "</span>"});
+  }
+  text += "<h3>Sources</h3>\n" + html::table({"source", "read from", "what its files say"}, sources, "lll", "wide");
+  std::string compare;
+  for (const std::string& argument : input.compare_arguments) compare += " --compare " + argument;
+  text += html::table({},
+                      {{"solver", escape("thalweg " + info.code_version)},
+                       {"post-processing", "thalweg-postproc " THALWEG_VERSION},
+                       {"hash of the case", "<code>" + escape(info.case_hash) + "</code>"},
+                       {"case file", "<code>" + escape(input.resolved.file.string()) + "</code>"},
+                       {"this page again", fmt::format("<code>thalweg-postproc {}{} --report</code>",
+                                                       escape(input.run.root.string()), escape(compare))},
+                       {"a picture again", "<code>cd report/pictures &amp;&amp; gnuplot t….gp</code>"},
+                       {"curves as drawn", "<code>report/data/</code>"}},
+                      "ll");
+  return text;
+}
+
+}  // namespace thalweg::report_sections

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/io/series.hpp"
+#include "common/run_folder.hpp"
+
+namespace thalweg {
+
+/// The snapshots of a run in order of time, with paths that can be opened, and what was odd about finding them.
+struct SnapshotList {
+  std::vector<SeriesEntry> entries;
+  std::vector<std::string> warnings;  // the series file had to be done without; a file that cannot be read
+  bool damaged = false;               // one of the warnings means that part of the run is lost
+};
+
+/// Takes the times from snapshots.pvd or, where that is missing or damaged, from the files in snapshots/.
+/// Throws InputError when the run has no snapshot.
+SnapshotList find_snapshots(const RunFolder& run);
+
+}  // namespace thalweg

@@ -1,0 +1,66 @@
+#include "postproc/wall_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "postproc/volume_fraction.hpp"
+
+namespace thalweg {
+namespace {
+
+// Columns of one spacing are counted from half a spacing, so that rounding never splits the particles of one column of
+// a lattice anchored at multiples of the spacing (or half of it).
+long column_of(double coordinate, double spacing) { return std::lround(std::floor(coordinate / spacing + 1e-3)); }
+
+struct Column {
+  std::vector<std::size_t> particles;
+  double lowest_top = 0;
+};
+
+}  // namespace
+
+WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
+  WallRuns runs;
+  runs.top.assign(particles.size(), std::numeric_limits<double>::quiet_NaN());
+  std::map<std::pair<long, long>, Column> columns;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (!is_wall(particles.type[i])) continue;
+    const Vec3& at = particles.position[i];
+    columns[{column_of(at.x(), spacing), column_of(at.y(), spacing)}].particles.push_back(i);
+  }
+  if (columns.empty()) return runs;
+
+  double highest = -std::numeric_limits<double>::infinity();
+  for (auto& [place, column] : columns) {
+    std::vector<std::size_t>& members = column.particles;
+    const auto height = [&](std::size_t i) { return particles.position[i].z(); };
+    std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) { return height(a) < height(b); });
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const bool run_ends = k + 1 == members.size() || height(members[k + 1]) - height(members[k]) > 2 * spacing;
+      if (!run_ends) continue;
+      const double top = height(members[k]) + spacing / 2;
+      for (std::size_t m = first; m <= k; ++m) runs.top[members[m]] = top;
+      if (first == 0) column.lowest_top = top;
+      highest = std::max(highest, top);
+      first = k + 1;
+    }
+  }
+
+  double from = std::numeric_limits<double>::infinity();
+  double to = -from;
+  for (const auto& [place, column] : columns) {
+    if (column.lowest_top > highest - spacing) continue;
+    from = std::min(from, static_cast<double>(place.first) * spacing);
+    to = std::max(to, static_cast<double>(place.first + 1) * spacing);
+  }
+  if (from < to) {
+    runs.open_from = from;
+    runs.open_to = to;
+  }
+  return runs;
+}
+
+}  // namespace thalweg

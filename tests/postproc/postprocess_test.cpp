@@ -1,0 +1,197 @@
+#include "postproc/postprocess.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include "common/profile.hpp"
+#include "tests/postproc/synthetic_run.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+using manufactured::SyntheticRun;
+using manufactured::TemporaryFolder;
+using manufactured::write_text;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string contents_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+// A mesh model's profiles: the prescribed surfaces shifted by `offset` [m], on columns of `cell` [m], no moving bed.
+void write_mesh_model(const fs::path& folder, double cell, double offset) {
+  for (const double t : {0.25, 0.5}) {
+    Profile profile;
+    for (double x = -0.5 + cell / 2; x < 0.75; x += cell) {
+      profile.x.push_back(x);
+      profile.free_surface.push_back(SyntheticRun::surface(x, t) + offset);
+      profile.bed.push_back(SyntheticRun::bed(x, t) + offset);
+    }
+    write_profile(folder / "profiles" / profile_file_name(t), profile, {"synthetic mesh model"});
+  }
+  write_text(folder / "summary.csv", fmt::format("quantity,value,unit\ncell_size,{:g},m\ncells,5250,-\nsteps,511,-\n"
+                                                 "wall_seconds,36.1,s\n",
+                                                 cell));
+}
+
+double rms_misfit(const std::vector<double>& x, const std::vector<double>& z, double (*truth)(double, double),
+                  double t) {
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double error = z[i] - truth(x[i], t);
+    sum += error * error;
+  }
+  return std::sqrt(sum / static_cast<double>(x.size()));
+}
+
+TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
+  const TemporaryFolder folder("report");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  const RunFolder& run = synthetic.folder();
+  write_mesh_model(run.foam(), 0.01, 0.002);
+  write_mesh_model(run.foam() / "coarse", 0.02, 0.004);
+  write_text(
+      synthetic.case_folder() / "reference" / "t0.250.csv",
+      "# digitised\nx [m],bed [m],free_surface [m]\n-0.1,0.0595,0.118\n0,0.0567,0.107\n0.1,0.0506,0.097\n0.3,,0.084\n");
+  write_text(synthetic.case_folder() / "repeatability.csv",
+             "# two runs with different solver tolerance\ncurve,time [s],rms [m]\nbed,0.25,0.0005\nbed,0.5,0.003\n");
+  PostprocessOptions options;
+  options.folder = run.root;
+  options.report = true;
+  ASSERT_EQ(postprocess(options), Exit::done);
+
+  for (const double t : {0.25, 0.5}) {
+    const Profile profile = read_profile(run.profiles() / profile_file_name(t));
+    EXPECT_LT(rms_misfit(profile.x, profile.bed, SyntheticRun::bed, t), 0.25 * SyntheticRun::spacing) << t;
+    EXPECT_EQ(profile.x.size(), 251U);  // -0.5 m to 0.75 m by 5 mm
+  }
+  const std::string front = contents_of(run.profiles() / "front.csv");
+  EXPECT_THAT(front, HasSubstr("time [s],front [m]\n0,"));
+  std::smatch last;
+  ASSERT_TRUE(std::regex_search(front, last, std::regex("\n0\\.5,([0-9.]+)\n$")));
+  EXPECT_NEAR(std::stod(last[1]), SyntheticRun::front_speed * 0.5, 2 * SyntheticRun::spacing);
+
+  const std::string errors = contents_of(run.report() / "errors.csv");
+  EXPECT_THAT(errors, HasSubstr("\nmeasured,Thalweg SPH,bed,0.25,3,"));
+  EXPECT_THAT(errors, HasSubstr("\nOpenFOAM 10 mm,Thalweg SPH,free_surface,0.5,"));
+  EXPECT_THAT(errors, HasSubstr("OpenFOAM 20 mm has no moving_bed, not compared"));
+
+  for (const char* picture : {"t0.250.svg", "t0.500.png", "front.svg", "energies.svg", "particles.png", "t0.250.gp"}) {
+    EXPECT_GT(fs::file_size(run.report() / "pictures" / picture), 500U) << picture;
+  }
+  const std::string page = contents_of(run.report() / "index.html");
+  EXPECT_THAT(page, HasSubstr("Prescribed dam break over an erodible bed"));
+  EXPECT_THAT(page, HasSubstr("<svg role=\"img\" aria-label=\"Profiles at t = 0.25 s\""));
+  EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
+  EXPECT_THAT(page, HasSubstr("friction_angle"));
+  EXPECT_THAT(page, HasSubstr("scatter of equal runs"));
+  EXPECT_THAT(page, HasSubstr("cell size"));
+  // Self-contained: nothing is fetched, links go to files beside the page.
+  EXPECT_FALSE(std::regex_search(page, std::regex("<(link|script|iframe)|src=\"(?!data:)|url\\((?!#)|@import")));
+}
+
+TEST(Postprocess, SaysPlainlyThatAReferenceSlotIsEmpty) {
+  const TemporaryFolder folder("empty_reference");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(postprocess({synthetic.folder().root, {}, false}), Exit::done);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(said, HasSubstr("no measured profiles: "));
+  EXPECT_THAT(said, HasSubstr("reference is empty\n"));
+  EXPECT_FALSE(fs::exists(synthetic.folder().report() / "index.html"));
+  EXPECT_TRUE(fs::exists(synthetic.folder().report() / "errors.csv"));
+}
+
+TEST(Postprocess, NamesDamagedSnapshotsSkipsThemAndEndsWithOne) {
+  const TemporaryFolder folder("damaged");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  const RunFolder& run = synthetic.folder();
+  fs::resize_file(run.snapshots() / "s00005.vtp", 5000);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(postprocess({run.root, {}, false}), Exit::run_failed);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("skipped: " + (run.snapshots() / "s00005.vtp").string()));
+  EXPECT_THAT(said, HasSubstr("no snapshot at t = 0.25 s"));
+  EXPECT_FALSE(fs::exists(run.profiles() / "t0.250.csv"));
+  EXPECT_TRUE(fs::exists(run.profiles() / "t0.500.csv"));
+
+  // The same without the series file, then with one cut off: the times come from the snapshots themselves.
+  for (const bool cut : {false, true}) {
+    if (cut) {
+      write_text(run.snapshot_series(), "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\"><Coll");
+    } else {
+      fs::remove(run.snapshot_series());
+    }
+    fs::remove(run.profiles() / "t0.500.csv");
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(postprocess({run.root, {}, false}), Exit::run_failed);
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("the times were taken from the files in"));
+    EXPECT_TRUE(fs::exists(run.profiles() / "t0.500.csv"));
+  }
+}
+
+TEST(Postprocess, AnIntactRunWithoutSeriesFileIsNoFailure) {
+  const TemporaryFolder folder("no_series");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  fs::remove(synthetic.folder().snapshot_series());
+  EXPECT_EQ(postprocess({synthetic.folder().root, {}, false}), Exit::done);
+}
+
+TEST(Postprocess, AFolderWithoutARunIsWrongInputWithACure) {
+  const TemporaryFolder folder("nothing");
+  const auto complaint = [&](const fs::path& path) {
+    try {
+      postprocess({path, {}, false});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no InputError");
+  };
+  EXPECT_THAT(complaint(folder.path() / "none"), HasSubstr("there is no such folder"));
+  EXPECT_THAT(complaint(folder.path()), HasSubstr("thalweg-gencase"));
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  fs::remove_all(synthetic.folder().snapshots());
+  fs::remove(synthetic.folder().snapshot_series());
+  EXPECT_THAT(complaint(folder.path()), HasSubstr("compute them with thalweg-solver"));
+}
+
+TEST(Postprocess, WithoutGnuplotSaysWhatToInstallAndWritesTheRest) {
+  const TemporaryFolder folder("no_gnuplot");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  ASSERT_EQ(setenv("THALWEG_GNUPLOT", "/nonexistent/gnuplot", 1), 0);
+  testing::internal::CaptureStderr();
+  const Exit status = postprocess({synthetic.folder().root, {}, true});
+  const std::string said = testing::internal::GetCapturedStderr();
+  ASSERT_EQ(unsetenv("THALWEG_GNUPLOT"), 0);
+  EXPECT_EQ(status, Exit::run_failed);
+  EXPECT_THAT(said, HasSubstr("apt-get install gnuplot-nox"));
+  EXPECT_TRUE(fs::exists(synthetic.folder().profiles() / "front.csv"));
+  EXPECT_THAT(contents_of(synthetic.folder().report() / "index.html"),
+              HasSubstr("no picture: gnuplot is not installed"));
+}
+
+TEST(Postprocess, OldProfilesOfOtherTimesDoNotSurvive) {
+  const TemporaryFolder folder("old_profiles");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  write_text(synthetic.folder().profiles() / "t0.100.csv", "x [m],bed [m]\n0,1\n");
+  EXPECT_EQ(postprocess({synthetic.folder().root, {}, false}), Exit::done);
+  EXPECT_FALSE(fs::exists(synthetic.folder().profiles() / "t0.100.csv"));
+}
+
+}  // namespace
+}  // namespace thalweg
