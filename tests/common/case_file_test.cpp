@@ -1,5 +1,6 @@
 #include "common/case_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,6 +25,17 @@ std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   return text.str();
+}
+
+// A folder for one test.
+fs::path own_folder() {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = fmt::format("{}.{}", test->test_suite_name(), test->name());
+  std::replace(name.begin(), name.end(), '/', '.');
+  const fs::path folder = fs::path(::testing::TempDir()) / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
 }
 
 std::string message_of(const fs::path& file, const std::vector<std::string>& overrides = {}) {
@@ -85,14 +97,16 @@ TEST(ReadCase, FillsWhatTheFileSays) {
 }
 
 TEST(ReadCase, TakesTheNameFromTheFolder) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "scour pit";
-  fs::create_directories(folder);
+  const fs::path folder = own_folder();
+  fs::create_directories(folder / "scour pit");
+  fs::create_directories(folder / "scour-pit");
   std::string text = text_of(good_case);
   text.erase(text.find("name = \"flume\"\n"), 15);
-  std::ofstream(folder / "case.toml") << text;
-  EXPECT_THAT(message_of(folder), HasSubstr("case.toml:1: case.name = \"scour pit\" cannot name files"));
-  fs::rename(folder / "case.toml", fs::path(::testing::TempDir()) / "case.toml");
-  EXPECT_EQ(read_case(::testing::TempDir()).info.name, fs::path(::testing::TempDir()).parent_path().filename());
+  std::ofstream(folder / "scour pit/case.toml") << text;
+  EXPECT_THAT(message_of(folder / "scour pit"), HasSubstr("case.toml:1: case.name = \"scour pit\" cannot name files"));
+  std::ofstream(folder / "scour-pit/case.toml") << text;
+  EXPECT_EQ(read_case(folder / "scour-pit").info.name, "scour-pit");
+  fs::remove_all(folder);
 }
 
 TEST(ReadCase, ReadsThreeDimensions) {
@@ -151,7 +165,8 @@ class ResolvedCase : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ResolvedCase, ReadsBackEqual) {
   const Case original = read_case(source / GetParam(), {"numerics.cfl=0.1234567890123456789"});
-  const fs::path file = fs::path(::testing::TempDir()) / "case.resolved.toml";
+  const fs::path folder = own_folder();
+  const fs::path file = folder / "case.resolved.toml";
   write_case(file, original);
   const Case again = read_case(file);
   EXPECT_EQ(hash_of(again), hash_of(original));
@@ -160,9 +175,10 @@ TEST_P(ResolvedCase, ReadsBackEqual) {
   EXPECT_EQ(again.numerics.cfl, original.numerics.cfl);
   EXPECT_EQ(again.shapes.size(), original.shapes.size());
 
-  const fs::path second = fs::path(::testing::TempDir()) / "again.resolved.toml";
+  const fs::path second = folder / "again.resolved.toml";
   write_case(second, again);
   EXPECT_EQ(text_of(second), text_of(file));
+  fs::remove_all(folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ResolvedCase,

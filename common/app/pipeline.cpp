@@ -1,0 +1,71 @@
+#include "common/app/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "common/app/programs.hpp"
+#include "common/case_file.hpp"
+#include "common/error.hpp"
+#include "common/run_folder.hpp"
+
+namespace thalweg {
+namespace {
+
+struct Stage {
+  std::string name;
+  std::vector<std::string> arguments;
+};
+
+std::vector<Stage> stages_of(const PipelineOptions& options, const std::string& out) {
+  const std::string case_path = options.case_path.string();
+  std::vector<std::string> overrides;
+  for (const std::string& text : options.overrides) overrides.insert(overrides.end(), {"--set", text});
+  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  std::vector<Stage> stages{{"gencase", with({case_path, "--out", out}, overrides)},
+                            {"solver", with({out}, options.for_solver)}};
+  if (options.foam) stages.push_back({"foam", with({case_path, "--out", out}, overrides)});
+  stages.push_back({"postproc", {out, "--report"}});
+  return stages;
+}
+
+void announce(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);  // before the stage's own lines
+}
+
+}  // namespace
+
+int run_pipeline(const PipelineOptions& given) {
+  PipelineOptions options = given;
+  const Case scene = read_case(options.case_path, options.overrides);
+  const std::string out = (options.out.empty() ? std::filesystem::path("out") / scene.info.name : options.out).string();
+  if (options.foam && !on_path("blockMesh")) {
+    announce("foam: skipped, because OpenFOAM is not installed; get it with: apt-get install openfoam");
+    options.foam = false;
+  }
+
+  const std::vector<Stage> stages = stages_of(options, out);
+  for (const Stage& stage : stages) (void)stage_program(stage.name);  // all there, before the first takes its time
+  for (const Stage& stage : stages) {
+    announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
+    const auto begin = std::chrono::steady_clock::now();
+    const int status = run_and_wait(stage_program(stage.name), stage.arguments);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (status != 0) {
+      fmt::print(stderr, "thalweg run: {} ended with status {}; the stages after it were not run\n", stage.name,
+                 status);
+      return status;
+    }
+    announce(fmt::format("== {} done in {:.1f} s", stage.name, seconds));
+  }
+  announce(fmt::format("report: {}", (RunFolder{out}.report() / "index.html").string()));
+  return static_cast<int>(Exit::done);
+}
+
+}  // namespace thalweg

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace thalweg {
+
+/// What `thalweg run` was asked for.
+struct PipelineOptions {
+  std::filesystem::path case_path;
+  std::filesystem::path out;            // empty: out/<case name>
+  std::vector<std::string> overrides;   // "table.key=value"
+  std::vector<std::string> for_solver;  // arguments passed on to it
+  bool foam = true;                     // also the mesh model
+};
+
+/// Runs gencase, solver, foam and postproc one after the other, and says so. Returns 0, or the exit status of the first
+/// stage that fails. Throws InputError when the case is wrong.
+int run_pipeline(const PipelineOptions& options);
+
+}  // namespace thalweg

@@ -1,0 +1,91 @@
+// The umbrella: runs the stages by name, runs them all in order, explains case files and says what is in a run.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "common/app/info.hpp"
+#include "common/app/pipeline.hpp"
+#include "common/app/programs.hpp"
+#include "common/case_file.hpp"
+#include "common/command_line.hpp"
+#include "common/error.hpp"
+
+namespace thalweg {
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("Runs a case from geometry to report: gencase, solver, foam, postproc.", "thalweg run");
+  PipelineOptions options;
+  std::string backend;
+  std::string threads;
+  bool no_foam = false;
+  app.add_option("CASE", options.case_path, "Folder with case.toml, or the file")->required();
+  app.add_option("--out", options.out, "Folder of the run; default: out/<case name>");
+  app.add_option("--set", options.overrides, "Overrides a key: numerics.spacing=\"4 mm\"")->allow_extra_args(false);
+  app.add_option("--backend", backend, "Passed on to the solver");
+  app.add_option("--threads", threads, "Passed on to the solver");
+  app.add_flag("--no-foam", no_foam, "Without the mesh model");
+  if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
+  if (!backend.empty()) options.for_solver.insert(options.for_solver.end(), {"--backend", backend});
+  if (!threads.empty()) options.for_solver.insert(options.for_solver.end(), {"--threads", threads});
+  options.foam = !no_foam;
+  return run_pipeline(options);
+}
+
+int explain_keys(int argc, char** argv) {
+  CLI::App app("Prints unit, default, range and meaning of the keys of a case file.", "thalweg explain");
+  std::string key;
+  bool markdown = false;
+  bool schema = false;
+  app.add_option("KEY", key, "A key or table, such as numerics.spacing, spacing, numerics; default: all");
+  auto* as_markdown = app.add_flag("--markdown", markdown, "All keys as the page docs/case-file.md");
+  app.add_flag("--schema", schema, "All keys as a JSON schema for editors")->excludes(as_markdown);
+  if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
+  if (markdown) {
+    write_key_reference(std::cout);
+  } else if (schema) {
+    write_key_schema(std::cout);
+  } else {
+    explain(std::cout, key);
+  }
+  return static_cast<int>(Exit::done);
+}
+
+int info(int argc, char** argv) {
+  CLI::App app("Says what is in a particle file, a series or a run's folder.", "thalweg info");
+  std::string path;
+  app.add_option("PATH", path, "particles.vtp, a snapshot, snapshots.pvd, or a run's folder")->required();
+  if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
+  print_info(std::cout, path);
+  return static_cast<int>(Exit::done);
+}
+
+void print_usage(std::ostream& to) {
+  to << "usage: thalweg COMMAND [arguments]\n\n"
+        "  run CASE        the whole pipeline, from geometry to report\n"
+        "  explain [KEY]   unit, default, range and meaning of the keys of a case file\n"
+        "  info PATH       what is in a particle file or a run's folder\n";
+  for (const std::string& stage : installed_stages()) to << "  " << stage << " ...\n";
+  to << "\n`thalweg COMMAND --help` says more. Version " THALWEG_VERSION ".\n";
+}
+
+int thalweg_program(int argc, char** argv) {
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "run") return run(argc - 1, argv + 1);
+  if (command == "explain") return explain_keys(argc - 1, argv + 1);
+  if (command == "info") return info(argc - 1, argv + 1);
+  if (command == "--version") {
+    std::cout << "thalweg " THALWEG_VERSION "\n";
+    return static_cast<int>(Exit::done);
+  }
+  if (command == "--help" || command == "-h") {
+    print_usage(std::cout);
+    return static_cast<int>(Exit::done);
+  }
+  if (command.empty()) throw InputError("thalweg: no command is given; see thalweg --help");
+  become(stage_program(command), {argv + 2, argv + argc});
+}
+
+}  // namespace
+}  // namespace thalweg
+
+int main(int argc, char** argv) { return thalweg::run_program(thalweg::thalweg_program, argc, argv); }

@@ -1,0 +1,156 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "common/io/particle_file.hpp"
+#include "common/io/series.hpp"
+#include "common/run_folder.hpp"
+
+// The program `thalweg` is copied into a folder beside small scripts that take the names of the stages and record how
+// they were called; what the stages themselves do is tested elsewhere.
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+class Umbrella : public ::testing::Test {
+ protected:
+  Umbrella() {
+    fs::remove_all(folder);
+    fs::create_directories(folder / "bin");
+    fs::copy_file(THALWEG_PROGRAM, folder / "bin/thalweg");
+    for (const char* stage : {"gencase", "solver", "foam", "postproc"}) install(stage, 0);
+    fs::copy_file(source / "tests/common/good_case.toml", folder / "case.toml");
+  }
+  ~Umbrella() override { fs::remove_all(folder); }
+
+  void install(const std::string& stage, int status) const {
+    const fs::path program = folder / "bin" / ("thalweg-" + stage);
+    std::ofstream(program) << "#!/bin/sh\necho " << stage << " \"$@\" >> calls\nexit " << status << "\n";
+    fs::permissions(program, fs::perms::owner_all);
+  }
+  void install_openfoam() const {
+    fs::create_directories(folder / "openfoam");
+    std::ofstream(folder / "openfoam/blockMesh") << "#!/bin/sh\n";
+    fs::permissions(folder / "openfoam/blockMesh", fs::perms::owner_all);
+  }
+
+  // Runs `thalweg arguments` in the folder, with a PATH on which only install_openfoam() puts OpenFOAM.
+  int thalweg(const std::string& arguments) const {
+    const std::string command = "cd '" + folder.string() + "' && PATH='" + (folder / "openfoam").string() +
+                                "' bin/thalweg " + arguments + " > out.txt 2> err.txt";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+  [[nodiscard]] std::string calls() const { return text_of(folder / "calls"); }
+  [[nodiscard]] std::string output() const { return text_of(folder / "out.txt"); }
+  [[nodiscard]] std::string errors() const { return text_of(folder / "err.txt"); }
+
+  const fs::path source = THALWEG_SOURCE_DIR;
+  const fs::path folder = fs::path(::testing::TempDir()) /
+                          (std::string("umbrella ") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Umbrella, RunsTheStagesInOrder) {
+  install_openfoam();
+  EXPECT_EQ(thalweg("run case.toml --out 'my run' --set numerics.spacing='4 mm' --set output.end='2 s' --threads 2"),
+            0);
+  EXPECT_EQ(calls(),
+            "gencase case.toml --out my run --set numerics.spacing=4 mm --set output.end=2 s\n"
+            "solver my run --threads 2\n"
+            "foam case.toml --out my run --set numerics.spacing=4 mm --set output.end=2 s\n"
+            "postproc my run --report\n");
+  EXPECT_THAT(output(), HasSubstr("report: my run/report/index.html\n"));
+  EXPECT_EQ(errors(), "");
+}
+
+TEST_F(Umbrella, NamesTheRunAfterTheCase) {
+  EXPECT_EQ(thalweg("run case.toml --no-foam"), 0);
+  EXPECT_EQ(calls(), "gencase case.toml --out out/flume\nsolver out/flume\npostproc out/flume --report\n");
+  EXPECT_THAT(output(), Not(HasSubstr("OpenFOAM")));
+}
+
+TEST_F(Umbrella, LeavesTheMeshModelOutWithoutOpenFoamAndSaysHowToGetIt) {
+  EXPECT_EQ(thalweg("run case.toml"), 0);
+  EXPECT_THAT(calls(), Not(HasSubstr("foam ")));
+  EXPECT_THAT(output(), HasSubstr("foam: skipped, because OpenFOAM is not installed; get it with: apt-get install"));
+}
+
+TEST_F(Umbrella, StopsAtTheFirstStageThatFails) {
+  install("solver", 130);
+  EXPECT_EQ(thalweg("run case.toml"), 130);
+  EXPECT_EQ(calls(), "gencase case.toml --out out/flume\nsolver out/flume\n");
+  EXPECT_THAT(errors(), HasSubstr("solver ended with status 130"));
+}
+
+TEST_F(Umbrella, StartsNothingWhenTheCaseIsWrongOrAStageIsAbsent) {
+  EXPECT_EQ(thalweg("run case.toml --set numerics.spacing=4"), 2);
+  EXPECT_THAT(errors(), HasSubstr("error: --set numerics.spacing=4: numerics.spacing = 4 has no unit"));
+  fs::remove(folder / "bin/thalweg-postproc");
+  EXPECT_EQ(thalweg("run case.toml"), 2);
+  EXPECT_EQ(calls(), "");
+}
+
+TEST_F(Umbrella, FindsTheProgramsByName) {
+  install("gencase", 7);
+  EXPECT_EQ(thalweg("gencase case.toml --check"), 7);
+  EXPECT_EQ(calls(), "gencase case.toml --check\n");
+  EXPECT_EQ(thalweg("gencas"), 2);
+  EXPECT_EQ(errors(), "error: thalweg: there is no command gencas; did you mean gencase?\n");
+  EXPECT_EQ(thalweg(""), 2);
+  EXPECT_EQ(errors(), "error: thalweg: no command is given; see thalweg --help\n");
+  EXPECT_EQ(thalweg("--help"), 0);
+  EXPECT_THAT(output(), HasSubstr("  postproc ...\n"));
+  EXPECT_EQ(thalweg("run case.toml --nonsense"), 2);
+  EXPECT_THAT(errors(), HasSubstr("error: command line: "));
+}
+
+TEST_F(Umbrella, ExplainsKeys) {
+  EXPECT_EQ(thalweg("explain cfl"), 0);
+  EXPECT_THAT(output(), HasSubstr("numerics.cfl\n  number, 0.01 to 100; default 0.35\n"));
+  EXPECT_EQ(thalweg("explain --markdown"), 0);
+  EXPECT_EQ(output(), text_of(source / "docs/case-file.md"));
+  EXPECT_EQ(thalweg("explain nonsense_key"), 2);
+}
+
+TEST_F(Umbrella, SaysWhatIsInARun) {
+  const RunFolder run{folder / "run"};
+  ParticleSet particles;
+  particles.info = {"flume", "0.1.0", "00ff", 2, 0.005, 0.0075, 0.25, 500};
+  particles.id = {1, 2, 3};
+  particles.type = {ParticleType::wall, ParticleType::water, ParticleType::sediment};
+  particles.state = {SedimentState::none, SedimentState::none, SedimentState::deposit};
+  particles.position = {Vec3(-1, 0, 0), Vec3(0, 0, 0.25), Vec3(1.5, 0, 0.06)};
+  particles.velocity = {Eigen::Vector3f::Zero(), Eigen::Vector3f(3, 0, 4), Eigen::Vector3f::Zero()};
+  particles.mass = {0.0F, 0.025F, 0.03125F};
+  write_particles(run.particles(), particles, PositionPrecision::double_precision);
+  write_series(run.snapshot_series(), {{0, "snapshots/s00000.vtp"}, {0.25, "snapshots/s00001.vtp"}});
+
+  EXPECT_EQ(thalweg("info run"), 0);
+  EXPECT_THAT(output(), HasSubstr("3 particles of case \"flume\", 2-D"));
+  EXPECT_THAT(output(), HasSubstr("time 0.25 s, step 500, spacing 5 mm, smoothing length 7.5 mm"));
+  EXPECT_THAT(output(), HasSubstr("  water                  1  0.025 kg/m\n"));
+  EXPECT_THAT(output(), HasSubstr("  sediment               1  0.03125 kg/m\n"));
+  EXPECT_THAT(output(), HasSubstr("  sediment, deposit: 1\n"));
+  EXPECT_THAT(output(), HasSubstr("  x from -1 m to 1.5 m\n  z from 0 m to 0.25 m\n  speed 0 to 5 m/s\n"));
+  EXPECT_THAT(output(), HasSubstr("snapshots.pvd: 2 snapshots, 0 s to 0.25 s; 2 of the files are missing\n"));
+
+  EXPECT_EQ(thalweg("info bin"), 2);
+  EXPECT_EQ(errors(), "error: bin: the folder holds no run; name one that thalweg gencase has filled\n");
+  EXPECT_EQ(thalweg("info absent.vtp"), 2);
+}
+
+}  // namespace
+}  // namespace thalweg
