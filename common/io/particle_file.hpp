@@ -9,7 +9,7 @@ namespace thalweg {
 /// Precision of the positions in a particle file: snapshots are for looking at, particles.vtp and checkpoints go on.
 enum class PositionPrecision { single_precision, double_precision };
 
-/// Writes VTK XML PolyData (appended raw, zlib, 64-bit header, Verts, FieldData TimeValue; docs/file-formats.md).
+/// Writes VTK XML PolyData (inline binary, zlib, 64-bit header, Verts, FieldData TimeValue; docs/file-formats.md).
 /// The file appears whole or not at all (temporary name, then rename). Throws RunError naming file and cause.
 void write_particles(const std::filesystem::path& file, const ParticleSet& particles, PositionPrecision precision);
 
