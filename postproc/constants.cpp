@@ -43,15 +43,15 @@ class ValueList {
   template <class E>
   void choice(const char* key, E& value, const char* sentence) {
     for (const Choice<E>& candidate : choices(E{})) {
-      if (candidate.value == value) add(key, fmt::format("{}: {}", candidate.name, candidate.sentence), sentence);
+      if (candidate.value == value) add(key, candidate.name, fmt::format("{} Here: {}.", sentence, candidate.sentence));
     }
   }
 
   std::vector<Constant> rows;
 
  private:
-  void add(const char* key, std::string value, const char* sentence) {
-    rows.push_back({key, value.empty() ? "–" : std::move(value), sentence, false});
+  void add(const char* key, std::string value, std::string sentence) {
+    rows.push_back({key, value.empty() ? "–" : std::move(value), std::move(sentence), false});
   }
   int dimension_;
 };
@@ -67,6 +67,23 @@ std::vector<Constant> values_of(Table& table, int dimension) {
     given.rows[i].is_default = given.rows[i].value == defaults.rows[i].value;
   }
   return given.rows;
+}
+
+// What a shape's keys say, in one row: what it is, and as its meaning where it is.
+Constant shape_in_a_row(Shape& shape, int dimension) {
+  std::vector<std::string> what;
+  std::vector<std::string> where;
+  for (const Constant& row : values_of(shape, dimension)) {
+    if (row.key == "name" || row.value == "–" || !shape_uses_key(shape, row.key, dimension)) continue;
+    if (row.is_default && row.key == "thickness") continue;  // the default is a word, not the 0 that stands for it
+    const bool speaks_for_itself = row.key == "kind" || row.key == "role" || row.key == "material";
+    if (speaks_for_itself) {
+      what.push_back(row.value);
+    } else {
+      where.push_back(row.key + " " + row.value);
+    }
+  }
+  return {shape.name, fmt::format("{}", fmt::join(what, ", ")), fmt::format("{}", fmt::join(where, "; ")), false};
 }
 
 // A visitor that finds the choices of a table; the word "off" is what every model part uses for its absence.
@@ -111,13 +128,8 @@ std::vector<ConstantTable> list_constants(const Case& resolved) {
         tables.push_back({heading.name, values_of(table, dimension)});
       },
       [&] {
-        for (Shape& shape : copy.shapes) {
-          std::vector<Constant> rows = values_of(shape, dimension);
-          std::erase_if(rows, [&](const Constant& row) {
-            return row.key == "name" || row.value == "–" || !shape_uses_key(shape, row.key, dimension);
-          });
-          tables.push_back({"shape " + shape.name, rows});
-        }
+        tables.push_back({"shape", {}});
+        for (Shape& shape : copy.shapes) tables.back().rows.push_back(shape_in_a_row(shape, dimension));
       },
       [&] {
         for (auto& [name, sediment] : copy.sediments) {

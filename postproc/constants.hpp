@@ -20,8 +20,8 @@ struct ConstantTable {
   std::vector<Constant> rows;
 };
 
-/// Every key of a case with its value, table by table, read from the declarations the case parser uses. Shapes are
-/// reduced to the keys that mean something for them.
+/// Every key of a case with its value, table by table, read from the declarations the case parser uses. A shape is one
+/// row with the keys that mean something for it.
 std::vector<ConstantTable> list_constants(const Case& resolved);
 
 /// A part of the model and whether this run has it.

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "common/whole_file.hpp"
 #include "postproc/gnuplot.hpp"
@@ -22,6 +23,13 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 3> curve_colours{"#0072b2", "#d55e00", "#1a1a1a"};
 constexpr const char* source_colour = "#444444";
 constexpr std::array<int, 3> curve_markers{6, 4, 8};  // open circle, square, triangle
+
+// What a particle can be in a particle table, by its number there, and its colour.
+constexpr std::array<std::pair<const char*, const char*>, 5> particle_kinds{{{"water", "#56b4e9"},
+                                                                             {"sediment", "#b0793a"},
+                                                                             {"deposit", "#8c6d46"},
+                                                                             {"bed load", "#e69f00"},
+                                                                             {"suspended", "#d55e00"}}};
 
 // How a source is drawn: run solid; meshes dashed, the second one dotted; other sources dash-dotted; measured: markers.
 std::string source_style(const std::vector<ProfileSet>& sets, std::size_t s) {
@@ -47,6 +55,25 @@ std::string style_of_curve(const std::vector<ProfileSet>& sets, std::size_t s, s
   const std::string marker =
       sets[s].kind == SourceKind::measured ? fmt::format(" pt {}", curve_markers[c]) : std::string();
   return fmt::format("{}{} lc rgb '{}'", source_style(sets, s), marker, curve_colours[c]);
+}
+
+int front_marker(const std::vector<ProfileSet>& sets, std::size_t s) {
+  if (sets[s].kind == SourceKind::measured) return 6;  // circle
+  constexpr std::array others{8, 4, 10, 12};           // triangle, square, triangle down, diamond
+  const auto earlier = std::count_if(
+      sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(s),
+      [](const ProfileSet& set) { return set.kind == SourceKind::mesh || set.kind == SourceKind::other; });
+  return others[static_cast<std::size_t>(earlier) % others.size()];
+}
+
+// A step of 1, 2 or 5 times a power of ten that divides a length into at most `parts`.
+double tic_step(double length, int parts) {
+  const double least = length / parts;
+  const double decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double multiple : {1.0, 2.0, 5.0}) {
+    if (multiple * decade >= least) return multiple * decade;
+  }
+  return 10 * decade;
 }
 
 constexpr const char* common_look = R"(set encoding utf8
@@ -163,7 +190,7 @@ fs::path FigureWriter::profiles(double time, const std::vector<ProfileSet>& sets
   const std::string settings = fmt::format(
       "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
       "set xlabel 'x  [m]' offset 0,0.4\nset ylabel 'z  [mm]' offset 1,0\n"
-      "set key outside top right horizontal samplen 2.6 width 1 textcolor rgb '#333333'\n"
+      "set key outside top right horizontal maxrows 1 samplen 1.8 width -2.5 font ',11.5' textcolor rgb '#333333'\n"
       "set label 1 't = {:g} s' at graph 0.985,0.88 right font ',16' front\n"
       "set lmargin 8\nset rmargin 2\nset tmargin 2\nset bmargin 2.8\n",
       frame.x_from, frame.x_to, 1e3 * frame.z_from, 1e3 * frame.z_to, time);
@@ -181,15 +208,14 @@ fs::path FigureWriter::front(const fs::path& front, const fs::path& fronts, cons
                       data(front), curve_colours[0], gnuplot_string(sets[s].label)));
       continue;
     }
-    parts.push_back(
-        fmt::format("{} using (column('time [s]')):(column({})) with points pt {} ps 1 lw 1.6 lc rgb '{}' title {}",
-                    data(fronts), gnuplot_string(sets[s].label + " [m]"), std::array{4, 8, 6, 12}[s % 4], source_colour,
-                    gnuplot_string(sets[s].label)));
+    parts.push_back(fmt::format(
+        "{} using (column('time [s]')):(column({})) with points pt {} ps 1 lw 1.6 lc rgb '{}' title {}", data(fronts),
+        gnuplot_string(sets[s].label + " [m]"), front_marker(sets, s), source_colour, gnuplot_string(sets[s].label)));
   }
   return write("front", 490, 300,
                "set xlabel 't  [s]' offset 0,0.4\nset ylabel 'x of the water front  [m]' offset 1,0\n"
-               "set key top left reverse Left samplen 2\nset bmargin 2.8\nset rmargin 2\nset offsets graph "
-               "0.02,0.02,0.05,0.05\n",
+               "set key top left reverse Left samplen 2\nset bmargin 2.8\nset rmargin 2\nset xrange [0:*]\n"
+               "set offsets 0,0,graph 0.06,graph 0.06\n",
                fmt::format("plot {}", fmt::join(parts, ", \\\n     ")));
 }
 
@@ -222,7 +248,8 @@ fs::path FigureWriter::energies(const fs::path& history, bool has_internal, cons
       fmt::format("plot {}", fmt::join(parts, ", \\\n     ")));
 }
 
-fs::path FigureWriter::particles(const fs::path& table, const PictureFrame& frame, double spacing) const {
+fs::path FigureWriter::particles(const fs::path& table, const std::vector<std::size_t>& shown,
+                                 const PictureFrame& frame, double spacing) const {
   const double width = frame.x_to - frame.x_from;
   const double height = frame.z_to - frame.z_from;
   constexpr int pixels = 2400;
@@ -230,9 +257,9 @@ fs::path FigureWriter::particles(const fs::path& table, const PictureFrame& fram
   constexpr double margin_right = 0.94;
   const double pixels_per_metre = pixels * (margin_right - margin_left) / width;
   const int panel = static_cast<int>(std::clamp(height * pixels_per_metre, 120.0, 1600.0));
-  const int total = 2 * panel + 2 * 130;
+  const int total = 2 * panel + 270;
   // The unit of `ps` in pngcairo is about 6.5 px of diameter for a filled circle at pointscale 1.
-  const double point = std::max(0.15, 1.15 * spacing * pixels_per_metre / 6.5);
+  const double point = std::max(0.15, 1.3 * spacing * pixels_per_metre / 6.5);
   const auto share = [&](int pixel) { return static_cast<double>(pixel) / total; };
 
   const fs::path script = folder_ / "particles.gp";
@@ -242,27 +269,25 @@ fs::path FigureWriter::particles(const fs::path& table, const PictureFrame& fram
                "set terminal pngcairo size {},{} font 'sans,13' fontscale 2 linewidth 2 noenhanced\n"
                "set output 'particles.png'\n"
                "set multiplot\nunset grid\nset size ratio -1\n"
-               "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\nset xtics 0.25\nset ytics 0.05\n"
+               "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\nset xtics {:g}\nset ytics {:g}\n"
                "set lmargin at screen {}\nset rmargin at screen {}\n",
-               pixels, total, frame.x_from, frame.x_to, frame.z_from, frame.z_to, margin_left, margin_right);
+               pixels, total, frame.x_from, frame.x_to, frame.z_from, frame.z_to, tic_step(width, 12),
+               tic_step(height, 4), margin_left, margin_right);
     fmt::print(stream,
+               "set label 1 'z  [m]' at screen 0.005,{:.4f} left\n"
                "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
                "set key at screen 0.94,{:.4f} right horizontal samplen 0.6 width 1\n",
-               1 - share(65), 1 - share(65 + panel), 1 - share(30));
-    constexpr std::array<std::pair<const char*, const char*>, 5> kinds{{{"water", "#56b4e9"},
-                                                                        {"sediment", "#b0793a"},
-                                                                        {"deposit", "#8c6d46"},
-                                                                        {"bed load", "#e69f00"},
-                                                                        {"suspended", "#d55e00"}}};
+               1 - share(30), 1 - share(65), 1 - share(65 + panel), 1 - share(30));
     const std::string file = data(table);
     std::vector<std::string> parts;
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
+    for (const std::size_t k : shown) {
       parts.push_back(fmt::format(
           "{0} using (column('kind')=={1}?column('x [m]'):NaN):(column('z [m]')) with points pt 7 ps {2:.3f} "
           "lc rgb '{3}' notitle",
-          file, k, point, kinds[k].second));
+          file, k, point, particle_kinds[k].second));
     }
-    for (const auto& [name, colour] : kinds) {
+    for (const std::size_t k : shown) {
+      const auto& [name, colour] = particle_kinds[k];
       parts.push_back(fmt::format("keyentry with points pt 7 ps 2.2 lc rgb '{}' title '{}'", colour, name));
     }
     fmt::print(stream, "plot {}\n", fmt::join(parts, ", \\\n     "));
@@ -270,15 +295,17 @@ fs::path FigureWriter::particles(const fs::path& table, const PictureFrame& fram
                "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nunset key\n"
                "set palette defined (0 '#00204d', 0.25 '#414d6b', 0.5 '#7c7b78', 0.75 '#bcaf6f', 1 '#ffea46')\n"
                "set cbrange [0:*]\nset colorbox user origin 0.95,{:.4f} size 0.008,{:.4f}\nset cbtics scale 0.4\n"
-               "set label 2 'speed  [m/s]' at screen 0.94,{:.4f} right\n"
+               "unset label 1\nset label 2 'speed  [m/s]' at screen 0.94,{:.4f} right\nset label 3 'x  [m]' at screen "
+               "0.985,{:.4f} right\n"
                "plot {} using (column('x [m]')):(column('z [m]')):(column('speed [m/s]')) with points pt 7 ps {:.3f} "
                "palette notitle\nunset multiplot\n",
-               share(65 + panel), share(65), share(65), share(panel), share(65 + panel + 30), file, point);
+               share(75 + panel), share(75), share(75), share(panel), share(75 + panel + 30), share(42), file, point);
   });
   return script;
 }
 
-void write_particle_table(const fs::path& file, const ParticleSet& particles, double plane_y, std::size_t limit) {
+std::vector<std::size_t> write_particle_table(const fs::path& file, const ParticleSet& particles, double plane_y,
+                                              std::size_t limit) {
   const double half = particles.info.spacing / 2;
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -286,17 +313,20 @@ void write_particle_table(const fs::path& file, const ParticleSet& particles, do
     if (is_fluid(particles.type[i]) && in_plane) shown.push_back(i);
   }
   const std::size_t every = std::max<std::size_t>(1, (shown.size() + limit - 1) / std::max<std::size_t>(1, limit));
+  std::set<std::size_t> kinds;
   write_whole_text(file, [&](std::ostream& stream) {
     fmt::print(stream, "# t = {:g} s; every {}. particle\nx [m],z [m],kind,speed [m/s]\n", particles.info.time, every);
     for (std::size_t n = 0; n < shown.size(); n += every) {
       const std::size_t i = shown[n];
-      const int state = particles.state.empty() ? 0 : static_cast<int>(particles.state[i]);
-      const int kind = particles.type[i] == ParticleType::water ? 0 : state + 1;
+      const std::size_t state = particles.state.empty() ? 0 : static_cast<std::size_t>(particles.state[i]);
+      const std::size_t kind = particles.type[i] == ParticleType::water ? 0 : state + 1;
+      kinds.insert(kind);
       const float speed = particles.velocity.empty() ? 0.F : particles.velocity[i].norm();
       fmt::print(stream, "{:.6g},{:.6g},{},{:.5g}\n", particles.position[i].x(), particles.position[i].z(), kind,
                  speed);
     }
   });
+  return {kinds.begin(), kinds.end()};
 }
 
 }  // namespace thalweg

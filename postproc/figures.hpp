@@ -15,6 +15,9 @@ struct PictureFrame {
   double x_to = 1;
   double z_from = 0;
   double z_to = 1;
+
+  /// How much taller than long a square looks in a profile picture, from the size of its plot.
+  [[nodiscard]] double exaggeration() const { return (x_to - x_from) / (z_to - z_from) * 185 / 900; }
 };
 
 /// The frame that holds all curves of all sets, with a margin above; x from .. to where `to` is larger.
@@ -43,9 +46,10 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path energies(const std::filesystem::path& history, bool has_internal,
                                                const std::string& unit) const;
 
-  /// Particles by what they are and by how fast they are, without exaggeration; `table` as write_particle_table
-  /// writes it.
-  [[nodiscard]] std::filesystem::path particles(const std::filesystem::path& table, const PictureFrame& frame,
+  /// Particles by what they are and by how fast they are, without exaggeration (PNG only); `table` as
+  /// write_particle_table writes it, `shown` the kinds in it.
+  [[nodiscard]] std::filesystem::path particles(const std::filesystem::path& table,
+                                                const std::vector<std::size_t>& shown, const PictureFrame& frame,
                                                 double spacing) const;
 
  private:
@@ -57,8 +61,9 @@ class FigureWriter {
 };
 
 /// Writes x, z [m], kind (0 water, 1 sediment without state, 2 deposit, 3 bed load, 4 suspended) and speed [m/s] of the
-/// water and sediment within half a spacing of the plane y, at most `limit` of them (every n-th). Throws RunError.
-void write_particle_table(const std::filesystem::path& file, const ParticleSet& particles, double plane_y,
-                          std::size_t limit);
+/// water and sediment within half a spacing of the plane y, at most `limit` of them (every n-th). Returns the kinds
+/// that occur. Throws RunError.
+std::vector<std::size_t> write_particle_table(const std::filesystem::path& file, const ParticleSet& particles,
+                                              double plane_y, std::size_t limit);
 
 }  // namespace thalweg

@@ -55,6 +55,11 @@ std::string escape(std::string_view text) {
   return safe;
 }
 
+std::string typeset(std::string_view value) {
+  std::string text = std::regex_replace(escape(value), std::regex(R"((^|[ (+])-(?=[0-9.]))"), "$1\u2212");
+  return std::regex_replace(text, std::regex(R"(\^(-?[0-9.]+|[a-z]))"), "<sup>$1</sup>");
+}
+
 std::string table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& rows,
                   const std::string& alignment, const std::string& css_class) {
   const auto cell = [&](const char* tag, std::size_t column, const std::string& content) {
@@ -68,7 +73,12 @@ std::string table(const std::vector<std::string>& heads, const std::vector<std::
     text += "</tr></thead>";
   }
   text += "\n<tbody>\n";
+  const std::size_t columns = alignment.size();
   for (const std::vector<std::string>& row : rows) {
+    if (row.size() == 1 && columns > 1) {
+      text += fmt::format("<tr><td class=\"group\" colspan=\"{}\">{}</td></tr>\n", columns, row.front());
+      continue;
+    }
     text += "<tr>";
     for (std::size_t c = 0; c < row.size(); ++c) text += cell("td", c, row[c]);
     text += "</tr>\n";

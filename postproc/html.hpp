@@ -10,7 +10,11 @@ namespace thalweg::html {
 /// A text with &, <, > and quotes as entities.
 std::string escape(std::string_view text);
 
-/// A table; cells are HTML already. Columns whose letter in `alignment` is 'r' are numbers, 'l' texts.
+/// A value with its unit as HTML: minus signs and exponents as a typesetter sets them ("-9.81 m/s^2").
+std::string typeset(std::string_view value);
+
+/// A table; cells are HTML already. Columns whose letter in `alignment` is 'r' are numbers, 'l' texts. A row of one
+/// cell is a heading across all columns.
 std::string table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& rows,
                   const std::string& alignment, const std::string& css_class = "");
 

@@ -96,17 +96,19 @@ ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionS
   return result;
 }
 
-double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth) {
+double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth,
+                   MissingColumn missing) {
   const std::vector<double>& ground = profile.bed.empty() ? floor : profile.bed;
   if (profile.free_surface.empty() || ground.size() != profile.x.size()) return Profile::missing;
-  const auto depth = [&](std::size_t i) {
-    const double water = profile.free_surface[i] - ground[i];
-    return std::isnan(water) ? 0 : water;
-  };
+  const auto depth = [&](std::size_t i) { return profile.free_surface[i] - ground[i]; };
   for (std::size_t i = profile.x.size(); i-- > 0;) {
     if (!(depth(i) > least_depth)) continue;
-    if (i + 1 == profile.x.size()) return profile.x[i];
-    const double share = (depth(i) - least_depth) / (depth(i) - depth(i + 1));
+    const bool last = i + 1 == profile.x.size();
+    const bool next_is_unknown = last || std::isnan(depth(i + 1));
+    if (next_is_unknown && missing == MissingColumn::unknown) return Profile::missing;
+    if (last) return profile.x[i];
+    const double next = next_is_unknown ? 0 : depth(i + 1);
+    const double share = (depth(i) - least_depth) / (depth(i) - next);
     return profile.x[i] + share * (profile.x[i + 1] - profile.x[i]);
   }
   return Profile::missing;

@@ -49,8 +49,16 @@ ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionS
 /// Whether a set's State says which sediment rests (some sediment particle has a state).
 bool has_sediment_states(const ParticleSet& particles);
 
+/// What a column without a value says about the water there.
+enum class MissingColumn {
+  dry,     // a model knows all columns
+  unknown  // a measurement ends somewhere
+};
+
 /// Tip of the water: the largest x at which water is deeper than `least_depth` [m], interpolated between columns.
-/// Water is what lies between `bed` (or, without that column, `floor`) and `free_surface`. NaN without water.
-double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth);
+/// Water is what lies between `bed` (or, without that column, `floor`) and `free_surface`. NaN without water, and where
+/// the column behind the last wet one is not known to be dry.
+double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth,
+                   MissingColumn missing = MissingColumn::dry);
 
 }  // namespace thalweg

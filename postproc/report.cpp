@@ -47,7 +47,9 @@ void write_fronts(const fs::path& file, const ReportInput& input) {
     std::vector<std::string> cells{csv_number(row.time)};
     for (const ProfileSet& set : input.sets) {
       const TimedProfile* timed = set.at(row.time);
-      double front = timed != nullptr ? water_front(timed->profile, {}, least_depth) : Profile::missing;
+      const bool is_model = set.kind == SourceKind::run || set.kind == SourceKind::mesh;
+      const MissingColumn missing = is_model ? MissingColumn::dry : MissingColumn::unknown;
+      double front = timed != nullptr ? water_front(timed->profile, {}, least_depth, missing) : Profile::missing;
       for (const FrontSample& sample : input.extraction.fronts) {
         // Without sediment the run's profile alone does not say where the floor is; the extraction knew.
         if (set.kind == SourceKind::run && std::abs(sample.time - row.time) <= same_time) front = sample.front;
@@ -76,8 +78,9 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   }
   constexpr std::size_t most_points = 200'000;  // more than a picture resolves
   const fs::path table = input.run.report() / "data" / "particles.csv";
-  write_particle_table(table, read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
-  scripts.push_back(writer.particles(table, frame, input.extraction.info.spacing));
+  const std::vector<std::size_t> kinds = write_particle_table(table, read_particles(input.extraction.last_snapshot),
+                                                              input.extraction.plane_y, most_points);
+  scripts.push_back(writer.particles(table, kinds, frame, input.extraction.info.spacing));
   return scripts;
 }
 

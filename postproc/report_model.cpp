@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/units.hpp"
 #include "postproc/constants.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
@@ -16,20 +17,44 @@ using html::escape;
 // "1234567.8" → "1 234 568"; texts and small numbers stay as they are.
 std::string readable(const std::string& value) {
   const std::optional<double> number = number_of({{"", value, ""}}, "");
-  if (!number || value.find_first_of("eExX") != std::string::npos) return escape(value);
-  if (std::abs(*number) >= 1e4) return html::grouped(*number);
-  if (value.find('.') == std::string::npos) return escape(value);
-  return fmt::format("{:.5g}", *number);
+  if (!number) return escape(value);
+  if (std::abs(*number) >= 1e4 && std::abs(*number) < 1e15) return html::grouped(*number);
+  return html::typeset(fmt::format("{:.5g}", *number));
+}
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return escape(name);
 }
 
 std::string quantity_table(const std::vector<Quantity>& quantities) {
   std::vector<std::vector<std::string>> rows;
   for (const Quantity& quantity : quantities) {
-    std::string name = quantity.name;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    rows.push_back({escape(name), readable(quantity.value), quantity.unit == "-" ? "" : escape(quantity.unit)});
+    rows.push_back({spaced(quantity.name), readable(quantity.value),
+                    quantity.unit == "-" ? std::string() : html::typeset(quantity.unit)});
   }
   return html::table({}, rows, "lrl");
+}
+
+// One column per mesh model, one row for every quantity any of them has.
+std::string mesh_table(const std::vector<MeshModel>& meshes) {
+  std::vector<std::string> heads{""};
+  std::vector<Quantity> named;
+  for (const MeshModel& mesh : meshes) {
+    heads.push_back(escape(mesh.label));
+    for (const Quantity& quantity : mesh.summary) {
+      if (!text_of(named, quantity.name)) named.push_back(quantity);
+    }
+  }
+  heads.emplace_back("");
+  std::vector<std::vector<std::string>> rows;
+  for (const Quantity& quantity : named) {
+    std::vector<std::string> row{spaced(quantity.name)};
+    for (const MeshModel& mesh : meshes) row.push_back(readable(text_of(mesh.summary, quantity.name).value_or("–")));
+    row.push_back(quantity.unit == "-" ? std::string() : html::typeset(quantity.unit));
+    rows.push_back(std::move(row));
+  }
+  return html::table(heads, rows, "l" + std::string(meshes.size(), 'r') + "l", "texts");
 }
 
 std::string bar(double share) {
@@ -53,13 +78,19 @@ std::string timing_table(const std::vector<Timing>& timing) {
   return html::table({"heading", "seconds", "share", "", "calls"}, rows, "lrrlr");
 }
 
+std::string mass_change(const char* phase, const std::vector<double>& mass) {
+  if (mass.empty() || mass.front() == 0) return "";
+  const double change = mass.back() / mass.front() - 1;
+  return fmt::format(" {} {}", phase,
+                     change == 0 ? "unchanged" : html::typeset(fmt::format("{:+.1g} of itself", change)));
+}
+
 std::string mass_sentence(const History& history) {
-  const auto drift = [](const std::vector<double>& mass) {
-    return mass.empty() || mass.front() == 0 ? 0 : (mass.back() - mass.front()) / mass.front();
-  };
-  if (history.water_mass.empty()) return "";
-  return fmt::format("<p>Mass from the first to the last row: water {:+.2g} of itself, sediment {:+.2g}.</p>\n",
-                     drift(history.water_mass), drift(history.sediment_mass));
+  const std::string water = mass_change("water", history.water_mass);
+  const std::string sediment = mass_change("sediment", history.sediment_mass);
+  if (water.empty() && sediment.empty()) return "";
+  return fmt::format("<p class=\"small\">Mass over the run:{}{}{}.</p>\n", water,
+                     !water.empty() && !sediment.empty() ? "," : "", sediment);
 }
 
 }  // namespace
@@ -74,14 +105,13 @@ std::string run_numbers(const ReportInput& input) {
     text += "<h3>What limited the time step</h3>\n" + limiter_table(input.history);
     text += fmt::format(
         "<p class=\"small\">Share of the {} rows of <a href=\"../history.csv\">history.csv</a>; the step lay "
-        "between {:.3g} and {:.3g} s.</p>\n",
-        input.history.rows, *least, *most);
+        "between {} and {}.</p>\n",
+        input.history.rows, format_quantity(*least, "s"), format_quantity(*most, "s"));
   }
   text += mass_sentence(input.history) + "</div>\n</div>\n";
-  for (const MeshModel& mesh : input.meshes) {
-    text += fmt::format("<h3>Mesh model: {}</h3>\n{}", escape(mesh.label), quantity_table(mesh.summary));
-  }
-  if (input.meshes.empty()) text += "<p>No mesh model has been run beside it (foam/summary.csv is not there).</p>\n";
+  text += "<h3>The mesh model</h3>\n";
+  text += input.meshes.empty() ? "<p>None has been run beside it (there is no foam/summary.csv).</p>\n"
+                               : mesh_table(input.meshes);
   return text;
 }
 
@@ -96,15 +126,20 @@ std::string model(const ReportInput& input) {
   std::vector<std::vector<std::string>> rows;
   for (const ConstantTable& table : list_constants(input.resolved)) {
     if (table.name == "case" || table.name == "compare") continue;  // stand elsewhere on the page
-    rows.push_back({"<span class=\"small\">[" + escape(table.name) + "]</span>", "", "", ""});
+    rows.push_back({"<code>[" + escape(table.name) + "]</code>"});
     for (const Constant& constant : table.rows) {
-      rows.push_back({"<code>" + escape(constant.key) + "</code>", escape(constant.value),
-                      constant.is_default ? "default" : "case",
+      if (table.name == "shape") {
+        rows.push_back({escape(constant.key), escape(constant.value), "case", html::typeset(constant.meaning)});
+        continue;
+      }
+      rows.push_back({"<code>" + escape(constant.key) + "</code>", html::typeset(constant.value),
+                      constant.is_default ? "<span class=\"soft\">default</span>" : "case",
                       "<span class=\"soft\">" + escape(constant.meaning) + "</span>"});
     }
   }
-  return text + "<h3>Constants</h3>\n" + html::table({"key", "value", "from", "meaning"}, rows, "llll", "long wide") +
-         "<p class=\"small\">From <a href=\"../case.resolved.toml\">case.resolved.toml</a>.</p>\n";
+  return text + "<h3>Constants</h3>\n" +
+         html::table({"key", "value", "from", "meaning"}, rows, "llll", "long wide constants") +
+         "<p class=\"small\">All of them: <a href=\"../case.resolved.toml\">case.resolved.toml</a>.</p>\n";
 }
 
 std::string remarks(const ReportInput& input) {

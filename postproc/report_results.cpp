@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "postproc/bed_change.hpp"
+#include "postproc/figures.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
 
@@ -77,7 +77,7 @@ std::string what_is_seen(const ReportInput& input) {
         extraction.written.back().time, millimetres(change->scour), change->scour_at, millimetres(change->deposition),
         change->deposition_at);
   }
-  std::map<std::string, std::vector<std::string>> ranges;
+  std::string distances;
   for (std::size_t s = 1; s < input.sets.size(); ++s) {
     std::string parts;
     for (const Curve& curve : curves) {
@@ -90,14 +90,16 @@ std::string what_is_seen(const ReportInput& input) {
         high = std::max(high, error.rmse);
       }
       if (low > high) continue;
-      parts +=
-          fmt::format("{}{} by {}–{} mm", parts.empty() ? "" : ", ", curve.title, millimetres(low), millimetres(high));
+      const std::string range =
+          millimetres(low) == millimetres(high) ? millimetres(low) : millimetres(low) + "–" + millimetres(high);
+      parts += fmt::format("{}{} {} mm", parts.empty() ? "" : ", ", curve.title, range);
     }
-    if (!parts.empty()) {
-      text +=
-          fmt::format("From {} it differs (RMS, over the times compared): {}. ", escape(input.sets[s].label), parts);
-    }
+    if (parts.empty()) continue;
+    const std::string from =
+        input.sets[s].kind == SourceKind::measured ? "the measurement" : escape(input.sets[s].label);
+    distances += fmt::format("{}from {}: {}", distances.empty() ? "" : "; ", from, parts);
   }
+  if (!distances.empty()) text += "Root mean square distance, over the times compared, " + distances + ".";
   return text;
 }
 
@@ -153,7 +155,8 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
   if (has(SourceKind::mesh)) kinds.emplace_back("a dashed or dotted one a mesh model");
   if (has(SourceKind::other)) kinds.emplace_back("a dash-dotted one a further source");
   if (has(SourceKind::measured)) kinds.emplace_back("open markers are measured");
-  text += fmt::format("{}. Heights are exaggerated.</p>\n", fmt::join(kinds, ", "));
+  const PictureFrame frame = frame_around(input.sets, input.resolved.compare.from, input.resolved.compare.to);
+  text += fmt::format("{}. Heights are exaggerated {:.1f} times.</p>\n", fmt::join(kinds, ", "), frame.exaggeration());
   for (const TimedProfile& timed : input.extraction.written) {
     std::string name = profile_file_name(timed.time);
     name.resize(name.rfind('.'));
@@ -188,7 +191,9 @@ std::string errors(const ReportInput& input) {
   for (const CurveError& error : all) {
     const std::string key = error.compared + "\n" + error.reference + "\n" + error.curve;
     if (key != last_row) {
-      rows.push_back({escape(error.compared), escape(error.reference), title_of(error.curve)});
+      const bool same_pair = last_row.starts_with(error.compared + "\n" + error.reference + "\n");
+      rows.push_back(
+          {same_pair ? "" : escape(error.compared), same_pair ? "" : escape(error.reference), title_of(error.curve)});
       rows.back().resize(3 + times.size(), "–");
       last_row = key;
     }
@@ -221,15 +226,16 @@ std::string errors(const ReportInput& input) {
   last_row.clear();
   for (const CurveError& e : all) {
     const std::string pair = escape(e.compared) + " against " + escape(e.reference);
-    full.push_back({pair == last_row ? "" : pair, title_of(e.curve), fmt::format("{:g}", e.time), millimetres(e.rmse),
-                    percent(e.normalised_rmse), signed_millimetres(e.bias), signed_millimetres(e.largest_error),
-                    fmt::format("{:.3f}", e.largest_error_at), fmt::format("{}", e.points),
-                    fmt::format("{:.3f} … {:.3f}", e.from, e.to)});
+    if (pair != last_row) full.push_back({pair});
     last_row = pair;
+    full.push_back({title_of(e.curve), fmt::format("{:g}", e.time), millimetres(e.rmse), percent(e.normalised_rmse),
+                    signed_millimetres(e.bias), signed_millimetres(e.largest_error),
+                    html::typeset(fmt::format("{:.3f}", e.largest_error_at)), fmt::format("{}", e.points),
+                    html::typeset(fmt::format("{:.3f}", e.from)) + " … " + html::typeset(fmt::format("{:.3f}", e.to))});
   }
-  text += "<h3>In full</h3>\n" + html::table({"", "curve", "t [s]", "RMSE [mm]", "of range", "bias [mm]",
-                                              "largest [mm]", "at x [m]", "points", "common range [m]"},
-                                             full, "llrrrrrrrr", "long wide");
+  text += "<h3>In full</h3>\n" + html::table({"curve", "t [s]", "RMSE [mm]", "of range", "bias [mm]", "largest [mm]",
+                                              "at x [m]", "points", "common range [m]"},
+                                             full, "lrrrrrrrr", "long wide");
   text += fmt::format("<p class=\"small\">{}. Numbers: <a href=\"errors.csv\">report/errors.csv</a>.</p>\n",
                       escape(comparison_method));
   if (!input.comparison.remarks.empty()) {

@@ -40,7 +40,10 @@ td { padding: 3px 14px 3px 0; vertical-align: top; border-top: 1px solid #ececec
 tbody tr:first-child td { border-top: 0; }
 th:last-child, td:last-child { padding-right: 0; }
 .n { text-align: right; font-variant-numeric: lining-nums tabular-nums; white-space: nowrap; }
-td.group { font-weight: 600; padding-top: 10px; }
+td.group { font-weight: 600; padding-top: 11px; }
+table.texts { max-width: 100%; } table.texts .n { white-space: normal; max-width: 18em; }
+table.constants td:nth-child(2) { min-width: 9em; } table.constants { font-size: 13px; }
+sup { font-size: 0.7em; line-height: 0; }
 .soft { color: var(--soft); } .small { font-size: 12.5px; line-height: 1.45; color: var(--soft); max-width: none; }
 .bar { display: inline-block; height: 9px; background: #9bb8cc; vertical-align: baseline; }
 .on, .off { font: 600 12px "Helvetica Neue", Helvetica, Arial, sans-serif; } .on { color: #00644a; } .off { color: #8a8a8a; }

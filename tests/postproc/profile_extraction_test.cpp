@@ -223,6 +223,21 @@ TEST(WaterFront, InterpolatesBetweenColumns) {
   EXPECT_TRUE(std::isnan(water_front(profile, {}, 0.1)));
 }
 
+TEST(WaterFront, OfAMeasurementNeedsADryColumnBehindIt) {
+  Profile profile;
+  profile.x = {0, 1, 2};
+  profile.free_surface = {0.5, 0.4, 0.4};
+  profile.bed = {0.1, 0.1, Profile::missing};
+  EXPECT_TRUE(std::isnan(water_front(profile, {}, 0.1, MissingColumn::unknown)));
+  EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1, MissingColumn::dry), 1 + (0.3 - 0.1) / 0.3);
+  profile.bed.back() = 0.1;
+  EXPECT_TRUE(
+      std::isnan(water_front(profile, {}, 0.1, MissingColumn::unknown)));  // the water goes on at the last column
+  EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1, MissingColumn::dry), 2);  // the water stands at a wall
+  profile.free_surface.back() = 0.1;
+  EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1, MissingColumn::unknown), 1 + (0.3 - 0.1) / 0.3);
+}
+
 TEST(ExtractProfile, MovingBedIsTheEdgeOfWhatRests) {
   Flume flume;
   flume.begin();

@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/case_file.hpp"
+#include "common/error.hpp"
+#include "postproc/constants.hpp"
+#include "postproc/extraction_run.hpp"
+#include "postproc/figures.hpp"
+#include "postproc/gnuplot.hpp"
+#include "postproc/run_records.hpp"
+#include "tests/postproc/synthetic_run.hpp"
+
+namespace thalweg {
+namespace {
+
+using manufactured::SyntheticRun;
+using manufactured::TemporaryFolder;
+using manufactured::write_text;
+using testing::HasSubstr;
+
+TEST(Constants, ListEveryKeyWithItsUnitAndSayWhatTheCaseGave) {
+  const TemporaryFolder folder("constants");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  const Case resolved = read_case(synthetic.folder().resolved_case());
+  const std::vector<ConstantTable> tables = list_constants(resolved);
+  const auto find = [&](const std::string& table, const std::string& key) {
+    for (const ConstantTable& candidate : tables) {
+      for (const Constant& row : candidate.rows) {
+        if (candidate.name == table && row.key == key) return row;
+      }
+    }
+    ADD_FAILURE() << table << "." << key << " is not listed";
+    return Constant{};
+  };
+  EXPECT_EQ(find("materials.pvc", "friction_angle").value, "38 deg");
+  EXPECT_FALSE(find("materials.pvc", "friction_angle").is_default);
+  EXPECT_TRUE(find("numerics", "cfl").is_default);
+  EXPECT_EQ(find("numerics", "spacing").value, "5 mm");
+  EXPECT_EQ(find("model", "sediment").value, "viscoplastic");
+  EXPECT_THAT(find("shape", "tank").value, HasSubstr("water"));
+
+  const std::vector<Switch> switches = list_switches(resolved);
+  const auto is_on = [&](const std::string& name) {
+    const auto found = std::find_if(switches.begin(), switches.end(), [&](const Switch& s) { return s.name == name; });
+    EXPECT_NE(found, switches.end()) << name;
+    return found != switches.end() && found->on;
+  };
+  EXPECT_TRUE(is_on("sediment = viscoplastic"));
+  EXPECT_TRUE(is_on("density diffusion"));
+  EXPECT_FALSE(is_on("cohesion of pvc"));
+  EXPECT_FALSE(is_on("periodic directions"));
+
+  // A twentieth of sqrt(9.81 m/s^2 * 3.5 mm) = 0.1853 m/s.
+  EXPECT_NEAR(rest_speed_of(resolved), 0.05 * 0.1853, 1e-5);
+}
+
+TEST(RunRecords, CountWhatLimitedTheStepAndReadTheSummary) {
+  const TemporaryFolder folder("records");
+  write_text(folder.path() / "history.csv",
+             "time [s],dt [s],dt_limiter\n0,1e-4,acoustic\n1,2e-4,force\n2,1e-4,acoustic\n3,1e-4,acoustic\n");
+  const History history = read_history(folder.path() / "history.csv");
+  EXPECT_EQ(history.rows, 4U);
+  ASSERT_EQ(history.limiters.size(), 2U);
+  EXPECT_EQ(history.limiters[0].limiter, "acoustic");
+  EXPECT_DOUBLE_EQ(history.limiters[0].share, 0.75);
+  EXPECT_TRUE(history.water_mass.empty());
+  EXPECT_EQ(read_history(folder.path() / "none.csv").rows, 0U);
+
+  write_text(folder.path() / "summary.csv", "quantity,value,unit\nsteps,12,-\nbackend,openmp,-\n");
+  const std::vector<Quantity> summary = read_quantities(folder.path() / "summary.csv");
+  EXPECT_EQ(number_of(summary, "steps"), 12);
+  EXPECT_EQ(text_of(summary, "backend"), "openmp");
+  EXPECT_FALSE(number_of(summary, "backend"));
+  EXPECT_FALSE(number_of(summary, "wall_seconds"));
+}
+
+TEST(Figures, FrameHoldsAllCurvesAndFolderNamesArePlain) {
+  Profile profile;
+  profile.x = {-1, 0, 1};
+  profile.free_surface = {0.2, 0.1, Profile::missing};
+  const ProfileSet set{"a", SourceKind::run, "a", {{0.25, "a/t0.250.csv", profile}}};
+  const PictureFrame all = frame_around({set}, 0, 0);
+  EXPECT_DOUBLE_EQ(all.x_from, -1);
+  EXPECT_DOUBLE_EQ(all.x_to, 0);
+  EXPECT_DOUBLE_EQ(all.z_from, 0);
+  EXPECT_GT(all.z_to, 0.2);
+  EXPECT_DOUBLE_EQ(frame_around({set}, -0.5, 0.7).x_to, 0.7);
+  EXPECT_EQ(folder_name_of("OpenFOAM 10 mm"), "openfoam_10_mm");
+  EXPECT_EQ(folder_name_of("../.."), "source");
+}
+
+TEST(Gnuplot, AFailingScriptIsReportedWithItsMessage) {
+  const TemporaryFolder folder("gnuplot");
+  write_text(folder.path() / "wrong.gp", "plot 'there is no such file.csv'\n");
+  try {
+    if (run_gnuplot(folder.path() / "wrong.gp") == GnuplotResult::not_installed) GTEST_SKIP() << "gnuplot is not here";
+    ADD_FAILURE() << "no RunError";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("wrong.gp: gnuplot failed: "));
+  }
+  EXPECT_EQ(gnuplot_string("it's\nso"), "'it''s so'");
+}
+
+}  // namespace
+}  // namespace thalweg
