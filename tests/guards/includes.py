@@ -72,7 +72,7 @@ def edge_violations(root, path, text):
     layer = layer_of(path)
     for number, opening, name in includes(text):
         where = f"{path}:{number}"
-        beside_it = layer is None and (root / path).with_name(name).is_file()
+        beside_it = layer is None and (root / path).parent.joinpath(name).is_file()
         if opening == '"' and not beside_it and not (root / name).is_file():
             yield f'{where}: "{name}" is no file of the repository; write the path from the root, or <> for a library'
             continue
