@@ -1,0 +1,182 @@
+#include "gencase/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/case_file.hpp"
+#include "common/error.hpp"
+#include "common/scales.hpp"
+#include "common/units.hpp"
+#include "gencase/checks.hpp"
+#include "gencase/filling.hpp"
+#include "gencase/hydrostatic.hpp"
+
+namespace thalweg::gencase {
+namespace {
+
+// Scenes of more lattice nodes than this are tried on a coarse lattice first, so that a spacing mistyped by a factor of
+// a thousand is refused at once.
+constexpr double nodes_to_probe = 2e7;
+constexpr double nodes_of_probe = 1e6;
+
+[[noreturn]] void refuse_size(const Case& scene, double particles, double needed, double limit) {
+  const double fits = spacing_that_fits(scene.numerics.spacing, needed, limit, scene.info.dimension);
+  throw InputError(
+      fmt::format("{}: {:.3g} particles at a spacing of {} need {} of memory and this machine has {}; "
+                  "raise numerics.spacing to {} or more",
+                  scene.file.string(), particles, format_quantity(scene.numerics.spacing, "m"), format_bytes(needed),
+                  format_bytes(limit), format_quantity(fits, "m")));
+}
+
+/// Refuses a scene whose fluid alone, or whose lattice, cannot fit; the exact count follows from the filling.
+void check_size_before_filling(const Case& scene, const std::vector<PlacedShape>& shapes, const Lattice& lattice,
+                               double limit) {
+  const auto nodes = static_cast<double>(lattice.nodes());
+  if (nodes <= nodes_to_probe) return;
+  const double coarser = std::pow(nodes / nodes_of_probe, 1.0 / scene.info.dimension);
+  const Filling probe = claim_nodes(shapes, make_lattice(scene, shapes, lattice.spacing * coarser));
+  double fluid = 0;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    if (shapes[s].is_fluid()) fluid += static_cast<double>(probe.shapes[s].kept);
+  fluid *= nodes / static_cast<double>(probe.lattice.nodes());
+  const double needed = std::max(estimate_memory(fluid, scene.info.dimension).total(), nodes * sizeof(Label));
+  if (needed > limit) refuse_size(scene, fluid, needed, limit);
+}
+
+/// Gravity along the lattice's columns [m/s^2], signed. Says what becomes of the rest.
+double column_gravity(const Case& scene, const GenerateOptions& options) {
+  const Vec3& gravity = scene.domain.gravity;
+  const int axis = column_axis(scene);
+  const double along = gravity[axis];
+  if (along == 0) {
+    options.say("no gravity: the pressure starts at 0 everywhere");
+  } else if (const double across = std::sqrt(gravity.squaredNorm() - along * along); across > 1e-9 * gravity.norm()) {
+    options.say(fmt::format(
+        "gravity is tilted by {} from {}: the pressure starts hydrostatic along {} with {:.4g} m/s^2 "
+        "alone, as in uniform flow down a slope",
+        format_quantity(std::atan2(across, std::abs(along)), "rad"), "xyz"[axis], "xyz"[axis], std::abs(along)));
+  } else if (!(axis == 2 && along < 0)) {
+    options.say(fmt::format("gravity points along {}{}: the pressure starts hydrostatic in that direction",
+                            along < 0 ? '-' : '+', "xyz"[axis]));
+  }
+  return along;
+}
+
+ParticleSet allocate(const Case& resolved, const std::vector<PlacedShape>& shapes, const Filling& filling) {
+  ParticleSet set;
+  set.info = {resolved.info.name,
+              THALWEG_VERSION,
+              hash_of(resolved),
+              resolved.info.dimension,
+              resolved.numerics.spacing,
+              resolved.smoothing_length(),
+              0,
+              0};
+  const auto count = static_cast<std::size_t>(filling.particles);
+  set.id.reserve(count);
+  set.type.reserve(count);
+  set.position.reserve(count);
+  set.density.reserve(count);
+  set.pressure.reserve(count);
+  set.mass.reserve(count);
+  set.velocity.assign(count, Eigen::Vector3f::Zero());
+  const auto is_sediment = [](const PlacedShape& shape) { return shape.shape->role == ShapeRole::sediment; };
+  if (std::any_of(shapes.begin(), shapes.end(), is_sediment)) set.state.reserve(count);
+  if (!filling.walls.empty()) {
+    set.normal.reserve(count);
+    set.scalars["WallDistance"].reserve(count);
+  }
+  return set;
+}
+
+/// One particle for every labelled node, column by column: ids follow the columns, so that neighbours in space are
+/// mostly neighbours in memory.
+ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>& shapes, const Filling& filling,
+                           const HydrostaticStart& start, Summary& summary) {
+  ParticleSet set = allocate(resolved, shapes, filling);
+  const Lattice& lattice = filling.lattice;
+  const bool has_states = set.state.capacity() > 0;
+  std::vector<double> pressures(static_cast<std::size_t>(lattice.column_length()));
+  auto wall = filling.walls.begin();
+  for (std::int64_t column = 0; column < lattice.columns(); ++column) {
+    start.column(column, pressures);
+    for (std::size_t along = 0; along < pressures.size(); ++along) {
+      const std::int64_t node = column * lattice.column_length() + static_cast<std::int64_t>(along);
+      const Label label = filling.label[static_cast<std::size_t>(node)];
+      if (label == nothing || label == solid_core) continue;
+      const PlacedShape& shape = shapes[label - 1U];
+      const double pressure = pressures[along];
+      const double density = hydrostatic_density(shape.density_at_rest, pressure, summary.sound_speed);
+      summary.largest_pressure = std::max(summary.largest_pressure, pressure);
+      set.id.push_back(static_cast<std::int64_t>(set.id.size()));
+      set.type.push_back(shape.type());
+      set.position.push_back(lattice.position(lattice.offset(node)));
+      set.density.push_back(static_cast<float>(density));
+      set.pressure.push_back(static_cast<float>(pressure));
+      set.mass.push_back(static_cast<float>(density * lattice.cell()));
+      if (has_states)
+        set.state.push_back(shape.type() == ParticleType::sediment ? SedimentState::deposit : SedimentState::none);
+      if (filling.walls.empty()) continue;
+      const bool is_wall = shape.is_wall();
+      set.normal.push_back(is_wall ? wall->normal : Eigen::Vector3f::Zero());
+      set.scalars["WallDistance"].push_back(is_wall ? wall->distance : 0);
+      if (is_wall) ++wall;
+    }
+  }
+  return set;
+}
+
+std::vector<ShapeSummary> summarise(const std::vector<PlacedShape>& shapes, const Filling& filling) {
+  std::vector<ShapeSummary> summaries;
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    const ShapeFill& fill = filling.shapes[s];
+    const bool fluid = shapes[s].is_fluid();
+    const auto nodes = static_cast<double>(fill.claimed + fill.inside_wall);
+    summaries.push_back({shapes[s].shape->name, fill.kept, fluid ? nodes * filling.lattice.cell() : 0,
+                         fluid ? shapes[s].body->measure().value_or(0) : 0});
+  }
+  return summaries;
+}
+
+}  // namespace
+
+Generated generate(const Case& scene, const GenerateOptions& options) {
+  const std::vector<PlacedShape> shapes = place_shapes(scene);
+  check_periods(scene);
+  const Lattice lattice = make_lattice(scene, shapes, scene.numerics.spacing);
+  for (const std::string& line : faces_off_lattice(scene, lattice)) options.warn(line);
+  check_size_before_filling(scene, shapes, lattice, options.memory_limit);
+
+  const FlowRoom room = flow_room(shapes);
+  Filling filling = claim_nodes(shapes, lattice);
+  settle_walls(shapes, room, filling);
+  check_filling(scene, shapes, room, filling);
+  warn_of_filling(scene, shapes, filling, options.warn);
+
+  const auto particles = static_cast<double>(filling.particles);
+  const MemoryEstimate memory = estimate_memory(particles, scene.info.dimension);
+  options.say(fmt::format("{} particles; the solver will need about {} for them, gencase {}", filling.particles,
+                          format_bytes(memory.solver), format_bytes(memory.host)));
+  if (memory.total() > options.memory_limit) refuse_size(scene, particles, memory.total(), options.memory_limit);
+
+  Generated result{scene, {}, {}};
+  const HydrostaticStart start(filling, shapes, column_gravity(scene, options));
+  Summary& summary = result.summary;
+  summary.lattice_nodes = lattice.nodes();
+  summary.fluid_height = start.fluid_height();
+  result.resolved.numerics.maximum_speed = maximum_speed(scene, summary.fluid_height);
+  summary.sound_speed = sound_speed(result.resolved, summary.fluid_height);
+  const double wave_speed = std::sqrt(scene.domain.gravity.norm() * summary.fluid_height);
+  if (result.resolved.numerics.maximum_speed < wave_speed * (1 - 1e-9))
+    options.warn(
+        fmt::format("{}: numerics.maximum_speed of {:.4g} m/s is below the fluid's sqrt(g H) of {:.4g} m/s; "
+                    "its density will vary by more than a percent",
+                    scene.file.string(), result.resolved.numerics.maximum_speed, wave_speed));
+  result.particles = make_particles(result.resolved, shapes, filling, start, summary);
+  summary.shapes = summarise(shapes, filling);
+  return result;
+}
+
+}  // namespace thalweg::gencase

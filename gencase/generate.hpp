@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/case.hpp"
+#include "common/particles.hpp"
+#include "gencase/memory.hpp"
+
+namespace thalweg::gencase {
+
+/// How a fluid shape was filled.
+struct ShapeSummary {
+  std::string name;
+  std::int64_t particles = 0;
+  double filled = 0;  // [m^3] (2-D: [m^2]) of the nodes it got when its turn came
+  double exact = 0;   // [m^3] ([m^2]) of the shape; 0: no closed form
+};
+
+/// What stdout says about a generated scene.
+struct Summary {
+  std::vector<ShapeSummary> shapes;
+  double fluid_height = 0;      // [m]
+  double sound_speed = 0;       // [m/s]
+  double largest_pressure = 0;  // [Pa]
+  std::int64_t lattice_nodes = 0;
+};
+
+/// A scene at t = 0.
+struct Generated {
+  Case resolved;  // with the maximum speed that the sound speed follows from
+  ParticleSet particles;
+  Summary summary;
+};
+
+struct GenerateOptions {
+  double memory_limit = machine_memory();                                    // [bytes]
+  std::function<void(const std::string&)> say = [](const std::string&) {};   // facts, one line each, as they are known
+  std::function<void(const std::string&)> warn = [](const std::string&) {};  // what the user should look at
+};
+
+/// Fills the scene with particles at hydrostatic rest. Announces count and memory before it allocates the particles.
+/// Throws InputError naming shape, line, cause and cure: shapes without particles, fluid outside the domain or the
+/// container, more memory than `memory_limit`, geometry that place_shapes refuses.
+Generated generate(const Case& scene, const GenerateOptions& options = {});
+
+}  // namespace thalweg::gencase

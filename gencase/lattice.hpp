@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/case.hpp"
+#include "gencase/shapes.hpp"
+
+namespace thalweg::gencase {
+
+using Index3 = std::array<std::int64_t, 3>;
+
+/// The points anchor + (i + 1/2) spacing that a scene can fill, arranged in columns along gravity. In 2-D the y index
+/// has one value and y is 0.
+struct Lattice {
+  Vec3 anchor = Vec3::Zero();  // [m]
+  double spacing = 0;          // [m]
+  int dimension = 2;
+  Index3 first{};                    // lowest index in each direction
+  Index3 count{};                    // nodes in each direction
+  std::array<int, 3> axes{0, 1, 2};  // from the slowest to the fastest; the last one runs along the columns
+
+  [[nodiscard]] std::int64_t nodes() const { return count[0] * count[1] * count[2]; }
+  [[nodiscard]] std::int64_t column_length() const { return count[axes[2]]; }
+  [[nodiscard]] std::int64_t columns() const { return nodes() / column_length(); }
+  /// Volume [m^3] (2-D: area [m^2]) of one node.
+  [[nodiscard]] double cell() const { return dimension == 2 ? spacing * spacing : spacing * spacing * spacing; }
+
+  [[nodiscard]] Vec3 position(const Index3& offset) const;  // [m]; offset counts from `first`
+  [[nodiscard]] std::int64_t flat(const Index3& offset) const {
+    return (offset[axes[0]] * count[axes[1]] + offset[axes[1]]) * count[axes[2]] + offset[axes[2]];
+  }
+  [[nodiscard]] Index3 offset(std::int64_t flat_index) const;
+};
+
+/// Calls `visit(flat index, position)` for the nodes within `bounds`, column by column.
+template <class Visit>
+void for_nodes_within(const Lattice& lattice, const Bounds& bounds, Visit&& visit);
+
+/// Direction in which gravity pulls most: 0, 1 or 2; the last direction without gravity.
+int column_axis(const Case& scene);
+
+/// The lattice over all of `shapes`, anchored at the lower corner of the first container, else of the domain, so that
+/// flat walls stand half a spacing from the first particles. `spacing` [m] may differ from the case's (for estimates).
+Lattice make_lattice(const Case& scene, const std::vector<PlacedShape>& shapes, double spacing);
+
+/// Refuses a periodic domain whose length is not a whole number of spacings: the lattice would not close. Throws
+/// InputError.
+void check_periods(const Case& scene);
+
+/// One line for each box face that lies more than a hundredth of the spacing off the lattice, saying by how much.
+std::vector<std::string> faces_off_lattice(const Case& scene, const Lattice& lattice);
+
+template <class Visit>
+void for_nodes_within(const Lattice& lattice, const Bounds& bounds, Visit&& visit) {
+  Index3 begin;
+  Index3 end;
+  for (int axis = 0; axis < 3; ++axis) {
+    begin[axis] = 0;
+    end[axis] = lattice.count[axis];
+    if (lattice.dimension == 2 && axis == 1) continue;
+    const double low =
+        (bounds.lower[axis] - lattice.anchor[axis]) / lattice.spacing - static_cast<double>(lattice.first[axis]);
+    const double high =
+        (bounds.upper[axis] - lattice.anchor[axis]) / lattice.spacing - static_cast<double>(lattice.first[axis]);
+    const auto length = static_cast<double>(lattice.count[axis]);
+    begin[axis] = static_cast<std::int64_t>(std::clamp(std::floor(low) - 1, 0.0, length));
+    end[axis] = static_cast<std::int64_t>(std::clamp(std::ceil(high) + 1, 0.0, length));
+  }
+  const auto [slow, middle, fast] = lattice.axes;
+  Index3 at;
+  for (at[slow] = begin[slow]; at[slow] < end[slow]; ++at[slow])
+    for (at[middle] = begin[middle]; at[middle] < end[middle]; ++at[middle])
+      for (at[fast] = begin[fast]; at[fast] < end[fast]; ++at[fast]) visit(lattice.flat(at), lattice.position(at));
+}
+
+}  // namespace thalweg::gencase

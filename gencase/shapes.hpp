@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/case.hpp"
+#include "gencase/flow_room.hpp"
+#include "gencase/region.hpp"
+
+namespace thalweg::gencase {
+
+/// A shape that puts particles somewhere or takes them away.
+struct PlacedShape {
+  const Shape* shape = nullptr;
+  RegionPointer body;          // what it claims: a volume of fluid, a solid with its core, the layers of a container
+  RegionPointer room;          // containers: their inside, continued through open faces
+  double thickness = 0;        // [m] walls: how deep below their skin particles stand
+  double density_at_rest = 0;  // [kg/m^3] of its particles
+
+  [[nodiscard]] bool is_fluid() const { return shape->role == ShapeRole::water || shape->role == ShapeRole::sediment; }
+  [[nodiscard]] bool is_wall() const { return shape->role == ShapeRole::wall || shape->role == ShapeRole::moving_wall; }
+  [[nodiscard]] bool is_container() const { return room != nullptr; }
+  /// What its particles are; only for fluids and walls.
+  [[nodiscard]] ParticleType type() const;
+};
+
+/// "case.toml:12: shape "pier"", the beginning of every message about a shape.
+std::string where(const Case& scene, const Shape& shape);
+
+/// Reach of the kernel, 2 h [m].
+double kernel_support(const Case& scene);
+
+/// The geometry of every shape with a role, in the order of the case. Throws InputError naming shape, line, cause and
+/// cure: a shape thinner than the spacing, a container that walls off a periodic direction. `scene` must outlive the
+/// result.
+std::vector<PlacedShape> place_shapes(const Case& scene);
+
+/// The room the walls among `shapes` leave to the flow.
+FlowRoom flow_room(const std::vector<PlacedShape>& shapes);
+
+}  // namespace thalweg::gencase

@@ -1,0 +1,101 @@
+#include "tests/gencase/scene.hpp"
+
+#include "common/error.hpp"
+
+namespace thalweg::gencase::test {
+
+Case empty_scene(int dimension, double spacing) {
+  Case scene;
+  scene.file = "scene.toml";
+  scene.info.name = "scene";
+  scene.info.dimension = dimension;
+  scene.domain.from = Vec3(-10, dimension == 2 ? 0 : -10, -10);
+  scene.domain.to = Vec3(10, dimension == 2 ? 0 : 10, 10);
+  scene.numerics.spacing = spacing;
+  scene.output.end = 1;
+  return scene;
+}
+
+namespace {
+
+Shape& add(Case& scene, const std::string& name, ShapeKind kind, ShapeRole role) {
+  Shape& shape = scene.shapes.emplace_back();
+  shape.name = name;
+  shape.kind = kind;
+  shape.role = role;
+  shape.line = 10 * static_cast<int>(scene.shapes.size());
+  return shape;
+}
+
+}  // namespace
+
+Shape& add_box(Case& scene, const std::string& name, ShapeRole role, const Vec3& from, const Vec3& to) {
+  Shape& shape = add(scene, name, ShapeKind::box, role);
+  shape.from = from;
+  shape.to = to;
+  return shape;
+}
+
+Shape& add_ball(Case& scene, const std::string& name, ShapeRole role, const Vec3& center, double radius) {
+  Shape& shape = add(scene, name, ShapeKind::sphere, role);
+  shape.center = center;
+  shape.radius = radius;
+  return shape;
+}
+
+Shape& add_cylinder(Case& scene, const std::string& name, ShapeRole role, const Vec3& from, const Vec3& to,
+                    double radius) {
+  Shape& shape = add(scene, name, ShapeKind::cylinder, role);
+  shape.from = from;
+  shape.to = to;
+  shape.radius = radius;
+  return shape;
+}
+
+Shape& add_combination(Case& scene, const std::string& name, ShapeKind kind, ShapeRole role,
+                       const std::vector<std::string>& of) {
+  Shape& shape = add(scene, name, kind, role);
+  shape.of = of;
+  return shape;
+}
+
+Shape& add_tank(Case& scene, const Vec3& from, const Vec3& to) {
+  Shape& shape = add_box(scene, "tank", ShapeRole::wall, from, to);
+  shape.side = WallSide::outside;
+  shape.open = {"+z"};
+  return shape;
+}
+
+void add_sand(Case& scene) {
+  SedimentParameters sand;
+  sand.grain_density = 3000;
+  sand.porosity = 0.5;
+  sand.grain_diameter = 1e-3;
+  sand.friction_angle = 0.6;
+  scene.sediments["sand"] = sand;
+  scene.model.sediment = SedimentModel::viscoplastic;
+}
+
+std::int64_t count(const ParticleSet& particles, ParticleType type) {
+  return count_by_type(particles)[static_cast<std::size_t>(type)];
+}
+
+std::size_t nearest(const ParticleSet& particles, const Vec3& position) {
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if ((particles.position[i] - position).norm() < (particles.position[best] - position).norm()) best = i;
+  return best;
+}
+
+std::string refusal(const Case& scene, double memory_limit) {
+  GenerateOptions options;
+  options.memory_limit = memory_limit;
+  try {
+    generate(scene, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace thalweg::gencase::test
