@@ -1,0 +1,67 @@
+#include "foam_reference/case_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "common/error.hpp"
+#include "foam_reference/dictionary.hpp"
+
+namespace thalweg::foam {
+namespace {
+
+// Times are whole microseconds here: far below any step, and exact to divide.
+std::int64_t microseconds(double time) { return std::llround(time * 1e6); }
+
+}  // namespace
+
+FoamCase make_foam_case(const Case& scene, int ranks) {
+  FoamCase foam_case;
+  foam_case.scene = scene;
+  foam_case.plan = plan_mesh(scene);
+  foam_case.contents = measure_contents(scene, foam_case.plan);
+  if (scene.has_sediment()) foam_case.rheology = stock_rheology(scene, foam_case.contents);
+  foam_case.ranks = ranks;
+  return foam_case;
+}
+
+std::vector<std::string> phases(const FoamCase& foam_case) {
+  if (foam_case.rheology) return {"water", "sediment", "air"};
+  return {"water", "air"};
+}
+
+double write_interval(const Case& scene) {
+  const std::int64_t end = microseconds(scene.output.end);
+  std::int64_t needed = end;
+  for (const double time : scene.compare.times) {
+    if (time > scene.output.end) {
+      throw InputError(fmt::format("{}: compare.times holds {} s, after output.end = {} s; take it out or run longer",
+                                   place(scene), number(time), number(scene.output.end)));
+    }
+    needed = std::gcd(needed, microseconds(time));
+  }
+  constexpr std::int64_t most_writes = 500;
+  if (needed <= 0 || end / needed > most_writes) {
+    throw InputError(fmt::format(
+        "{}: output.end and compare.times share no interval above {} s; round them so that fields need not be written "
+        "more than {} times",
+        place(scene), number(scene.output.end / most_writes), most_writes));
+  }
+  // Fields at the snapshots' times too, to be looked at beside the particles.
+  constexpr std::int64_t comfortable_writes = 100;
+  const std::int64_t with_snapshots = std::gcd(needed, microseconds(scene.output.interval));
+  return static_cast<double>(end / with_snapshots <= comfortable_writes ? with_snapshots : needed) * 1e-6;
+}
+
+CaseFiles case_files(const FoamCase& foam_case) {
+  CaseFiles files;
+  for (CaseFiles part : {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case),
+                         control_files(foam_case), scripts(foam_case)}) {
+    files.merge(part);
+  }
+  files["case.foam"] = "";  // ParaView opens the folder through it
+  return files;
+}
+
+}  // namespace thalweg::foam

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "common/profile.hpp"
+#include "foam_reference/mesh_plan.hpp"
+
+namespace thalweg::foam {
+
+/// Shares of each phase [-] in the cells at one time; `sediment` is empty without sediment.
+struct PhaseFields {
+  std::vector<double> sediment;
+  std::vector<double> air;
+};
+
+/// A profile and how sure it is.
+struct SampledProfile {
+  Profile profile;
+  double largest_free_surface_spread = 0;  // [m] between the column integral and the crossing of 0.5
+  double largest_bed_spread = 0;           // [m]
+};
+
+/// Turns cells into elevations along x, one per column of cells:
+///   bed = z_0 + sum alpha_sediment dz,   free surface = z_0 + sum (1 - alpha_air) dz,   z_0 the column's lowest point.
+/// The integral keeps volumes exact and sees films thinner than a cell; grains in suspension count as bed, bubbles
+/// lower the surface. Where a solid interrupts the column the integral means nothing; there it is the highest crossing
+/// of a share of 0.5. In 3-D the profile is the mean over y. `moving_bed` stays empty: the stock model knows no
+/// deposit.
+class ColumnSampler {
+ public:
+  /// `centres`: the cells' centres [m]; fewer than the plan's where solids have been taken out.
+  ColumnSampler(const MeshPlan& plan, const std::vector<Vec3>& centres);
+
+  [[nodiscard]] SampledProfile sample(const PhaseFields& fields) const;
+
+ private:
+  struct Elevations;
+  struct Column;
+  [[nodiscard]] Elevations measure(const Column& column, const std::vector<double>& shares) const;
+
+  MeshPlan plan_;
+  std::vector<std::int64_t> cell_at_;  // mesh cell at block position i + nx (j + ny k); -1: solid
+};
+
+}  // namespace thalweg::foam

@@ -1,0 +1,61 @@
+// 0.orig: the fields before setFields fills the shapes, and what they do at walls and open faces.
+#include "foam_reference/case_files.hpp"
+#include "foam_reference/dictionary.hpp"
+
+namespace thalweg::foam {
+namespace {
+
+std::string boundary_entry(const std::string& patch, const std::string& entries) {
+  return "    " + patch + " { " + entries + " }\n";
+}
+
+// Entries for walls and open faces; the patches without a choice (empty, cyclic) follow from the mesh.
+std::string boundary(const MeshPlan& plan, const std::string& at_walls, const std::string& at_open) {
+  std::string text;
+  if (plan.open(Face::wall)) text += boundary_entry("walls", at_walls);
+  if (plan.has_solids) text += boundary_entry("solids", at_walls);
+  if (plan.open(Face::open)) text += boundary_entry("atmosphere", at_open);
+  if (plan.open(Face::unused)) text += boundary_entry("frontAndBack", "type empty;");
+  if (plan.open(Face::periodic)) text += boundary_entry("\"(minus|plus)[XYZ]\"", "type cyclic;");
+  return text;
+}
+
+std::string field(const FoamCase& foam_case, const std::string& foam_class, const std::string& name,
+                  const std::string& purpose, const std::string& dimensions, const std::string& value,
+                  const std::string& patches) {
+  return foam_file(foam_case.scene, foam_class, name, purpose,
+                   substitute(R"(dimensions      %dimensions%;
+internalField   uniform %value%;
+
+boundaryField
+{
+%patches%}
+)",
+                              {{"dimensions", dimensions}, {"value", value}, {"patches", patches}}));
+}
+
+}  // namespace
+
+CaseFiles initial_fields(const FoamCase& foam_case) {
+  const MeshPlan& plan = foam_case.plan;
+  CaseFiles files;
+  for (const std::string& phase : phases(foam_case)) {
+    const std::string inflow = phase == "air" ? "1" : "0";
+    files["0.orig/alpha." + phase] =
+        field(foam_case, "volScalarField", "alpha." + phase,
+              "Volume share of " + phase + " [-]. What flows in through open faces is air.", "[0 0 0 0 0 0 0]", inflow,
+              boundary(plan, "type zeroGradient;",
+                       "type inletOutlet; inletValue uniform " + inflow + "; value uniform " + inflow + ";"));
+  }
+  files["0.orig/U"] =
+      field(foam_case, "volVectorField", "U", "Velocity [m/s]: at rest; no slip at walls.", "[0 1 -1 0 0 0 0]",
+            "(0 0 0)", boundary(plan, "type noSlip;", "type pressureInletOutletVelocity; value uniform (0 0 0);"));
+  // The atmosphere's p = 0 is written in p, not in p_rgh: right for open sides as well, where p_rgh differs with depth.
+  files["0.orig/p_rgh"] = field(foam_case, "volScalarField", "p_rgh",
+                                "Pressure without its hydrostatic part, p - rho g.x [Pa].", "[1 -1 -2 0 0 0 0]", "0",
+                                boundary(plan, "type fixedFluxPressure; value uniform 0;",
+                                         "type prghTotalPressure; p0 uniform 0; value uniform 0;"));
+  return files;
+}
+
+}  // namespace thalweg::foam

@@ -1,0 +1,195 @@
+// From the fields and tables OpenFOAM wrote to profiles, history.csv and summary.csv.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+
+#include "common/case_file.hpp"
+#include "common/csv.hpp"
+#include "common/error.hpp"
+#include "common/profile.hpp"
+#include "foam_reference/column_sampler.hpp"
+#include "foam_reference/field_file.hpp"
+#include "foam_reference/reference_run.hpp"
+
+namespace thalweg::foam {
+namespace {
+
+namespace fs = std::filesystem;
+
+// OpenFOAM names a time's folder after the time, in a spelling of its own.
+fs::path time_folder(const fs::path& case_folder, double time) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(case_folder)) {
+    const std::string name = entry.path().filename().string();
+    char* end = nullptr;
+    const double value = std::strtod(name.c_str(), &end);
+    if (end != name.c_str() && *end == '\0' && std::abs(value - time) < 1e-6) return entry.path();
+  }
+  throw RunError(
+      fmt::format("{}: no fields at t = {:g} s; see log.multiphaseInterFoam there", case_folder.string(), time));
+}
+
+std::vector<Vec3> cell_centres(const fs::path& case_folder) {
+  const auto x = read_scalar_field(case_folder / "constant" / "Cx");
+  const auto y = read_scalar_field(case_folder / "constant" / "Cy");
+  const auto z = read_scalar_field(case_folder / "constant" / "Cz");
+  std::vector<Vec3> centres(std::max({x.size(), y.size(), z.size()}));
+  const auto at = [](const std::vector<double>& values, std::size_t i) { return values[values.size() == 1 ? 0 : i]; };
+  for (std::size_t i = 0; i < centres.size(); ++i) centres[i] = Vec3(at(x, i), at(y, i), at(z, i));
+  return centres;
+}
+
+double volume(const fs::path& field, double cell_volume, std::size_t cells) {
+  const std::vector<double> shares = read_scalar_field(field);
+  const double sum = shares.size() == 1 ? shares.front() * static_cast<double>(cells)
+                                        : std::accumulate(shares.begin(), shares.end(), 0.0);
+  return sum * cell_volume;
+}
+
+// Rows of numbers of a function object's file; comment lines start with #.
+std::vector<std::vector<double>> read_table(const fs::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw RunError(file.string() + ": this table has not been written; see log.multiphaseInterFoam");
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("#")) continue;
+    std::istringstream text(line);
+    rows.emplace_back();
+    for (double value = 0; text >> value;) rows.back().push_back(value);
+  }
+  return rows;
+}
+
+std::string volume_unit(const FoamCase& foam_case) { return foam_case.scene.info.dimension == 2 ? "m^3/m" : "m^3"; }
+
+void write_history(const FoamCase& foam_case, const fs::path& folder, const std::vector<SolverStep>& steps) {
+  const auto volumes = read_table(folder / "case/postProcessing/volumes/0/volFieldValue.dat");
+  if (volumes.size() != steps.size()) {
+    throw RunError(fmt::format("{}: {} rows for {} steps; run ./Allclean && ./Allrun there",
+                               (folder / "case/postProcessing/volumes").string(), volumes.size(), steps.size()));
+  }
+  std::vector<CsvColumn> columns{{"time", "s"}, {"dt", "s"}};
+  for (const std::string& phase : phases(foam_case)) columns.push_back({phase, volume_unit(foam_case)});
+  columns.push_back({"continuity_error", "-"});
+  CsvTable history(columns);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    std::vector<std::string> row{csv_number(steps[i].time), csv_number(steps[i].dt)};
+    for (std::size_t phase = 1; phase < volumes[i].size(); ++phase) row.push_back(csv_number(volumes[i][phase]));
+    row.push_back(csv_number(steps[i].continuity_error));
+    history.add_row(row);
+  }
+  history.write(folder / "history.csv");
+}
+
+// Time integral of a flux that was written at every step.
+double outflow(const FoamCase& foam_case, const fs::path& folder, const std::string& phase,
+               const std::vector<SolverStep>& steps) {
+  if (!foam_case.plan.open(Face::open)) return 0;
+  const auto rows = read_table(folder / "case/postProcessing" / ("outflow_" + phase) / "0/surfaceFieldValue.dat");
+  double sum = 0;
+  for (std::size_t i = 0; i < std::min(rows.size(), steps.size()); ++i) sum += rows[i].back() * steps[i].dt;
+  return sum;
+}
+
+class Summary {
+ public:
+  void row(const std::string& quantity, const std::string& value, const std::string& unit = "") {
+    table_.add_row({quantity, value, unit});
+  }
+  void row(const std::string& quantity, double value, const std::string& unit) {
+    row(quantity, csv_number(value), unit);
+  }
+  void count(const std::string& quantity, std::size_t value) { row(quantity, std::to_string(value), "-"); }
+  void write(const fs::path& file) const { table_.write(file); }
+
+ private:
+  CsvTable table_{{{"quantity", ""}, {"value", ""}, {"unit", ""}}};
+};
+
+void write_rheology(Summary& summary, const StockRheology& rheology) {
+  summary.row("viscosity_model", "HerschelBulkley (stock; yield stress without pressure)");
+  summary.row("tau0", rheology.yield_stress, "Pa");
+  summary.row("tau0_choice", "K p_eff + c_0 at the middle of the initial bed");
+  summary.row("tau0_yield_coefficient", rheology.yield_coefficient, "-");
+  summary.row("tau0_effective_pressure", rheology.effective_pressure, "Pa");
+  summary.row("consistency", rheology.consistency, "Pa s^n");
+  summary.row("flow_index", rheology.flow_index, "-");
+  summary.row("viscosity_cap", rheology.viscosity_cap, "Pa s");
+  summary.row("bed_density", rheology.density, "kg/m^3");
+}
+
+void write_summary(const FoamCase& foam_case, const fs::path& folder, const FoamRun& run, std::size_t cells,
+                   const std::vector<VolumeBalance>& balances) {
+  const std::string unit = volume_unit(foam_case);
+  Summary summary;
+  summary.row("case", foam_case.scene.info.name);
+  summary.row("case_hash", hash_of(foam_case.scene));
+  summary.row("code_version", THALWEG_VERSION);
+  summary.row("model", "multiphaseInterFoam (stock OpenFOAM; laminar)");
+  summary.row("openfoam_version", run.openfoam_version);
+  if (foam_case.rheology) write_rheology(summary, *foam_case.rheology);
+  summary.row("cell_size", foam_case.plan.cell, "m");
+  summary.count("cells", cells);
+  summary.count("ranks", static_cast<std::size_t>(foam_case.ranks));
+  summary.count("steps", run.steps.size());
+  summary.row("physical_time", foam_case.scene.output.end, "s");
+  summary.row("cpu_seconds", run.cpu_seconds, "s");
+  summary.row("wall_seconds", run.wall_seconds, "s");
+  summary.row("water_volume_shapes", foam_case.contents.water_volume, unit);
+  summary.row("sediment_volume_shapes", foam_case.contents.sediment_volume, unit);
+  for (const VolumeBalance& balance : balances) {
+    summary.row(balance.phase + "_volume_start", balance.start, unit);
+    summary.row(balance.phase + "_volume_end", balance.end, unit);
+    summary.row(balance.phase + "_outflow", balance.outflow, unit);
+    summary.row(balance.phase + "_volume_error", balance.relative_error(), "-");
+  }
+  summary.row("continuity_error", run.steps.empty() ? 0 : run.steps.back().continuity_error, "-");
+  summary.write(folder / "summary.csv");
+}
+
+}  // namespace
+
+void write_profiles(const FoamCase& foam_case, const fs::path& folder) {
+  const ColumnSampler sampler(foam_case.plan, cell_centres(folder / "case"));
+  for (const double time : foam_case.scene.compare.times) {
+    const fs::path fields = time_folder(folder / "case", time);
+    const SampledProfile sampled =
+        sampler.sample({foam_case.rheology ? read_scalar_field(fields / "alpha.sediment") : std::vector<double>(),
+                        read_scalar_field(fields / "alpha.air")});
+    std::vector<std::string> comments{
+        fmt::format("OpenFOAM multiphaseInterFoam, t = {:g} s, cells of {:g} m", time, foam_case.plan.size().x()),
+        "elevations are column integrals of the phases' shares",
+        fmt::format("the surface of equal shares (0.5) lies at most {:.2g} m from the free surface",
+                    sampled.largest_free_surface_spread)};
+    if (foam_case.rheology) {
+      comments.back() += fmt::format(", {:.2g} m from the bed", sampled.largest_bed_spread);
+    }
+    write_profile(folder / "profiles" / profile_file_name(time), sampled.profile, comments);
+  }
+}
+
+std::vector<VolumeBalance> write_results(const FoamCase& foam_case, const fs::path& folder, const FoamRun& run) {
+  const fs::path case_folder = folder / "case";
+  const std::size_t cells = cell_centres(case_folder).size();
+  const fs::path end_fields = time_folder(case_folder, foam_case.scene.output.end);
+
+  std::vector<VolumeBalance> balances;
+  for (const std::string& phase : phases(foam_case)) {
+    if (phase == "air") continue;
+    const auto volume_in = [&](const fs::path& fields) {
+      return volume(fields / ("alpha." + phase), foam_case.plan.cell_volume(), cells);
+    };
+    balances.push_back(
+        {phase, volume_in(case_folder / "0"), volume_in(end_fields), outflow(foam_case, folder, phase, run.steps)});
+  }
+  write_profiles(foam_case, folder);
+  write_history(foam_case, folder, run.steps);
+  write_summary(foam_case, folder, run, cells, balances);
+  return balances;
+}
+
+}  // namespace thalweg::foam

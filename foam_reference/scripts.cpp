@@ -1,0 +1,67 @@
+// Allrun and Allclean: the run without thalweg-foam, and what thalweg-foam itself calls.
+#include "foam_reference/case_files.hpp"
+#include "foam_reference/dictionary.hpp"
+
+namespace thalweg::foam {
+namespace {
+
+constexpr const char* run_template = R"(
+cd "${0%%/*}" || exit 1
+
+# The Debian package's programs find their dictionaries only through this variable.
+export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}"
+
+# step NAME COMMAND...: output in log.NAME; the first failure ends the script.
+step() {
+    log="log.$1"
+    shift
+    echo "$log"
+    "$@" > "$log" 2>&1 || { echo "failed: see $log" >&2; exit 1; }
+}
+
+step blockMesh blockMesh
+%mesh%step writeCellCentres postProcess -func writeCellCentres -constant
+cp -r 0.orig 0 || exit 1
+step setFields setFields
+%solve%)";
+
+constexpr const char* clean_template = R"(
+cd "${0%%/*}" || exit 1
+rm -rf 0 0.[0-9]* [1-9]* *e-[0-9]* processor[0-9]* postProcessing dynamicCode constant/polyMesh log.*
+rm -f constant/C constant/C[xyz] constant/cellLevel constant/cellMap constant/faceMap constant/pointMap
+)";
+
+}  // namespace
+
+CaseFiles scripts(const FoamCase& foam_case) {
+  const CaseFiles mesh = mesh_files(foam_case);
+  std::string carve;
+  if (foam_case.plan.has_solids) {
+    carve +=
+        "step topoSet.solids topoSet -dict system/topoSetDict.solids\n"
+        "step subsetMesh subsetMesh flow -patch solids -overwrite\n";
+  }
+  if (mesh.contains("system/topoSetDict.shapes")) {
+    carve += "step topoSet.shapes topoSet -dict system/topoSetDict.shapes\n";
+  }
+  std::string solve = "step multiphaseInterFoam multiphaseInterFoam\n";
+  if (foam_case.ranks > 1) {
+    solve = R"script(# Open MPI refuses to run as root, as in most containers, unless told twice.
+if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
+step decomposePar decomposePar
+step multiphaseInterFoam mpirun --use-hwthread-cpus -np )script" +
+            std::to_string(foam_case.ranks) +
+            " multiphaseInterFoam -parallel\n"
+            "step reconstructPar reconstructPar\n";
+  }
+  CaseFiles files;
+  files["Allrun"] =
+      "#!/bin/sh\n" +
+      origin(foam_case.scene, "#", "Makes the mesh, fills it and runs it; ./Allclean first to start over.") +
+      substitute(run_template, {{"", "%"}, {"mesh", carve}, {"solve", solve}});
+  files["Allclean"] = "#!/bin/sh\n" + origin(foam_case.scene, "#", "Removes all that Allrun makes.") +
+                      substitute(clean_template, {{"", "%"}});
+  return files;
+}
+
+}  // namespace thalweg::foam

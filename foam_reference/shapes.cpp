@@ -1,0 +1,118 @@
+#include "foam_reference/shapes.hpp"
+
+#include <algorithm>
+
+#include "common/error.hpp"
+
+namespace thalweg::foam {
+namespace {
+
+// In 2-D nothing depends on y: a sphere is a disc and a box or cylinder has no ends along y.
+Vec3 in_plane(const Case& scene, Vec3 vector) {
+  if (scene.info.dimension == 2) vector.y() = 0;
+  return vector;
+}
+
+bool in_box(const Case& scene, const Shape& box, const Vec3& point) {
+  for (const int axis : {0, 1, 2}) {
+    if (axis == 1 && scene.info.dimension == 2) continue;
+    if (point[axis] < box.from[axis] || point[axis] > box.to[axis]) return false;
+  }
+  return true;
+}
+
+bool in_cylinder(const Case& scene, const Shape& cylinder, const Vec3& point) {
+  if (scene.info.dimension == 2) return in_plane(scene, point - cylinder.center).norm() <= cylinder.radius;
+  const Vec3 axis = cylinder.to - cylinder.from;
+  const Vec3 offset = point - cylinder.from;
+  const double along = offset.dot(axis) / axis.squaredNorm();
+  return along >= 0 && along <= 1 && (offset - along * axis).norm() <= cylinder.radius;
+}
+
+Bounds around(const Vec3& low, const Vec3& high, double radius) {
+  return {low.cwiseMin(high).array() - radius, low.cwiseMax(high).array() + radius};
+}
+
+Bounds combined_bounds(const Case& scene, const Shape& shape) {
+  Bounds bounds = bounds_of(scene, find_shape(scene, shape.of.front(), shape));
+  if (shape.kind == ShapeKind::combine_difference) return bounds;
+  for (const std::string& name : shape.of) {
+    const Bounds part = bounds_of(scene, find_shape(scene, name, shape));
+    if (shape.kind == ShapeKind::combine_union) {
+      bounds = {bounds.low.cwiseMin(part.low), bounds.high.cwiseMax(part.high)};
+    } else {
+      bounds = {bounds.low.cwiseMax(part.low), bounds.high.cwiseMin(part.high)};
+    }
+  }
+  return bounds;
+}
+
+}  // namespace
+
+std::string place(const Case& scene, const Shape& shape) {
+  return scene.file.string() + ":" + std::to_string(shape.line);
+}
+
+std::string place(const Case& scene) { return scene.file.string(); }
+
+const Shape& find_shape(const Case& scene, const std::string& name, const Shape& asked_by) {
+  const auto found = std::ranges::find(scene.shapes, name, &Shape::name);
+  if (found != scene.shapes.end()) return *found;
+  throw InputError(place(scene, asked_by) + ": shape \"" + asked_by.name + "\" names \"" + name +
+                   "\", which does not exist; name a [[shape]] of this case");
+}
+
+bool contains(const Case& scene, const Shape& shape, const Vec3& point) {
+  const auto in_part = [&](const std::string& name) { return contains(scene, find_shape(scene, name, shape), point); };
+  switch (shape.kind) {
+    case ShapeKind::box:
+      return in_box(scene, shape, point);
+    case ShapeKind::cylinder:
+      return in_cylinder(scene, shape, point);
+    case ShapeKind::sphere:
+      return in_plane(scene, point - shape.center).norm() <= shape.radius;
+    case ShapeKind::combine_union:
+      return std::ranges::any_of(shape.of, in_part);
+    case ShapeKind::combine_intersection:
+      return std::ranges::all_of(shape.of, in_part);
+    case ShapeKind::combine_difference:
+      return in_part(shape.of.front()) && std::none_of(shape.of.begin() + 1, shape.of.end(), in_part);
+  }
+  return false;
+}
+
+Bounds bounds_of(const Case& scene, const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::box:
+      return {shape.from, shape.to};
+    case ShapeKind::sphere:
+      return around(shape.center, shape.center, shape.radius);
+    case ShapeKind::cylinder:
+      if (scene.info.dimension == 2) return around(shape.center, shape.center, shape.radius);
+      return around(shape.from, shape.to, shape.radius);
+    default:
+      return combined_bounds(scene, shape);
+  }
+}
+
+Material material_at(const Case& scene, const Vec3& point) {
+  for (auto shape = scene.shapes.rbegin(); shape != scene.shapes.rend(); ++shape) {
+    if (shape->role == ShapeRole::none || is_container(*shape) || !contains(scene, *shape, point)) continue;
+    switch (shape->role) {
+      case ShapeRole::water:
+        return Material::water;
+      case ShapeRole::sediment:
+        return Material::sediment;
+      case ShapeRole::wall:
+      case ShapeRole::moving_wall:
+        return Material::solid;
+      default:
+        return Material::air;
+    }
+  }
+  return Material::air;
+}
+
+bool is_container(const Shape& shape) { return shape.role == ShapeRole::wall && shape.side == WallSide::outside; }
+
+}  // namespace thalweg::foam

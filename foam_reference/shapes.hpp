@@ -1,0 +1,35 @@
+#pragma once
+
+#include "common/case.hpp"
+
+namespace thalweg::foam {
+
+/// Axis-aligned bounds [m].
+struct Bounds {
+  Vec3 low = Vec3::Zero();
+  Vec3 high = Vec3::Zero();
+};
+
+/// What a point of the scene is made of at the start.
+enum class Material { air, water, sediment, solid };
+
+/// Start of every message about a shape or the case: "file:line" or "file".
+std::string place(const Case& scene, const Shape& shape);
+std::string place(const Case& scene);
+
+/// The shape another one names in `of`. Throws InputError when there is none.
+const Shape& find_shape(const Case& scene, const std::string& name, const Shape& asked_by);
+
+/// Whether `point` [m] lies in the shape; in 2-D only x and z count.
+bool contains(const Case& scene, const Shape& shape, const Vec3& point);
+
+/// Bounds of the shape [m] (of a difference: those of its first part; of an intersection: what the bounds share).
+Bounds bounds_of(const Case& scene, const Shape& shape);
+
+/// What the shapes put at `point` [m]: later ones take the place of earlier ones; the container counts for nothing.
+Material material_at(const Case& scene, const Vec3& point);
+
+/// Whether the shape is the container the flow lies in.
+bool is_container(const Shape& shape);
+
+}  // namespace thalweg::foam
