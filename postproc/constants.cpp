@@ -86,14 +86,15 @@ Constant shape_in_a_row(Shape& shape, int dimension) {
   return {shape.name, fmt::format("{}", fmt::join(what, ", ")), fmt::format("{}", fmt::join(where, "; ")), false};
 }
 
-// A visitor that finds the choices of a table; the word "off" is what every model part uses for its absence.
+// A visitor that finds the choices of a table; "off" and "none" are the words model parts use for their absence.
 class SwitchList {
  public:
   template <class E>
   void choice(const char* key, E& value, const char*) {
     for (const Choice<E>& candidate : choices(E{})) {
       if (candidate.value != value) continue;
-      const bool on = std::string(candidate.name) != "off";
+      const std::string word = candidate.name;
+      const bool on = word != "off" && word != "none";
       found.push_back({on ? fmt::format("{} = {}", key, candidate.name) : key, on, candidate.sentence});
     }
   }

@@ -181,19 +181,25 @@ fs::path FigureWriter::profiles(double time, const std::vector<ProfileSet>& sets
                                   sets[s].kind == SourceKind::measured ? " pt 6" : "", source_colour,
                                   gnuplot_string(sets[s].label)));
   }
+  std::string names;  // of the curves, in their colours, left above the plot; the key with the sources is at the right
+  double place = 0;
   for (std::size_t c = 0; c < std::size(curves); ++c) {
     if (!shown[c]) continue;
-    parts.push_back(fmt::format("keyentry with lines lw 5 lc rgb '{}' title '{}'", curve_colours[c], curves[c].title));
+    names += fmt::format("set label {} '■ {}' at graph {:.3f},1.07 left font ',11.5' textcolor rgb '{}'\n", c + 2,
+                         curves[c].title, place, curve_colours[c]);
+    place += 0.035 + 0.008 * static_cast<double>(std::string_view(curves[c].title).size());
   }
   std::move(sources.begin(), sources.end(), std::back_inserter(parts));
 
-  const std::string settings = fmt::format(
-      "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
-      "set xlabel 'x  [m]' offset 0,0.4\nset ylabel 'z  [mm]' offset 1,0\n"
-      "set key outside top right horizontal maxrows 1 samplen 1.8 width -2.5 font ',11.5' textcolor rgb '#333333'\n"
-      "set label 1 't = {:g} s' at graph 0.985,0.88 right font ',16' front\n"
-      "set lmargin 8\nset rmargin 2\nset tmargin 2\nset bmargin 2.8\n",
-      frame.x_from, frame.x_to, 1e3 * frame.z_from, 1e3 * frame.z_to, time);
+  const std::string settings =
+      fmt::format(
+          "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
+          "set xlabel 'x  [m]' offset 0,0.4\nset ylabel 'z  [mm]' offset 1,0\n"
+          "set key outside top right horizontal maxrows 1 samplen 2.2 font ',11.5' textcolor rgb '#333333'\n"
+          "set label 1 't = {:g} s' at graph 0.985,0.88 right font ',16' front\n"
+          "set lmargin 8\nset rmargin 2\nset tmargin 2\nset bmargin 2.8\n",
+          frame.x_from, frame.x_to, 1e3 * frame.z_from, 1e3 * frame.z_to, time) +
+      names;
   std::string name = profile_file_name(time);
   name.resize(name.rfind('.'));
   return write(name, 1000, 270, settings, fmt::format("plot {}", fmt::join(parts, ", \\\n     ")));
@@ -248,8 +254,8 @@ fs::path FigureWriter::energies(const fs::path& history, bool has_internal, cons
       fmt::format("plot {}", fmt::join(parts, ", \\\n     ")));
 }
 
-fs::path FigureWriter::particles(const fs::path& table, const std::vector<std::size_t>& shown,
-                                 const PictureFrame& frame, double spacing) const {
+fs::path FigureWriter::particles(const ParticleTable& table, const PictureFrame& frame, double spacing) const {
+  const double fastest = table.fastest > 0 ? table.fastest : 1;
   const double width = frame.x_to - frame.x_from;
   const double height = frame.z_to - frame.z_from;
   constexpr int pixels = 2400;
@@ -257,7 +263,7 @@ fs::path FigureWriter::particles(const fs::path& table, const std::vector<std::s
   constexpr double margin_right = 0.94;
   const double pixels_per_metre = pixels * (margin_right - margin_left) / width;
   const int panel = static_cast<int>(std::clamp(height * pixels_per_metre, 120.0, 1600.0));
-  const int total = 2 * panel + 270;
+  const int total = 2 * panel + 300;
   // The unit of `ps` in pngcairo is about 6.5 px of diameter for a filled circle at pointscale 1.
   const double point = std::max(0.15, 1.3 * spacing * pixels_per_metre / 6.5);
   const auto share = [&](int pixel) { return static_cast<double>(pixel) / total; };
@@ -278,34 +284,37 @@ fs::path FigureWriter::particles(const fs::path& table, const std::vector<std::s
                "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
                "set key at screen 0.94,{:.4f} right horizontal samplen 0.6 width 1\n",
                1 - share(30), 1 - share(65), 1 - share(65 + panel), 1 - share(30));
-    const std::string file = data(table);
+    const std::string file = data(table.file);
     std::vector<std::string> parts;
-    for (const std::size_t k : shown) {
+    for (const std::size_t k : table.kinds) {
       parts.push_back(fmt::format(
           "{0} using (column('kind')=={1}?column('x [m]'):NaN):(column('z [m]')) with points pt 7 ps {2:.3f} "
           "lc rgb '{3}' notitle",
           file, k, point, particle_kinds[k].second));
     }
-    for (const std::size_t k : shown) {
+    for (const std::size_t k : table.kinds) {
       const auto& [name, colour] = particle_kinds[k];
       parts.push_back(fmt::format("keyentry with points pt 7 ps 2.2 lc rgb '{}' title '{}'", colour, name));
     }
     fmt::print(stream, "plot {}\n", fmt::join(parts, ", \\\n     "));
     fmt::print(stream,
-               "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nunset key\n"
+               "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nunset key\nunset label 1\n"
                "set palette defined (0 '#00204d', 0.25 '#414d6b', 0.5 '#7c7b78', 0.75 '#bcaf6f', 1 '#ffea46')\n"
-               "set cbrange [0:*]\nset colorbox user origin 0.95,{:.4f} size 0.008,{:.4f}\nset cbtics scale 0.4\n"
-               "unset label 1\nset label 2 'speed  [m/s]' at screen 0.94,{:.4f} right\nset label 3 'x  [m]' at screen "
-               "0.985,{:.4f} right\n"
+               "set cbrange [0:{:g}]\nset cbtics scale 0.4 {:g}\n"
+               "set colorbox user origin 0.95,{:.4f} size 0.008,{:.4f}\n"
+               "set label 2 'speed  [m/s]' at screen 0.94,{:.4f} right\n"
+               "set label 3 'x  [m]' at screen 0.5,{:.4f} center\n"
                "plot {} using (column('x [m]')):(column('z [m]')):(column('speed [m/s]')) with points pt 7 ps {:.3f} "
                "palette notitle\nunset multiplot\n",
-               share(75 + panel), share(75), share(75), share(panel), share(75 + panel + 30), share(42), file, point);
+               share(105 + panel), share(105), fastest, tic_step(fastest, 3), share(105), share(panel),
+               share(105 + panel + 28), share(22), file, point);
   });
   return script;
 }
 
-std::vector<std::size_t> write_particle_table(const fs::path& file, const ParticleSet& particles, double plane_y,
-                                              std::size_t limit) {
+ParticleTable write_particle_table(const fs::path& file, const ParticleSet& particles, double plane_y,
+                                   std::size_t limit) {
+  ParticleTable table{file, {}, 0};
   const double half = particles.info.spacing / 2;
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -322,11 +331,13 @@ std::vector<std::size_t> write_particle_table(const fs::path& file, const Partic
       const std::size_t kind = particles.type[i] == ParticleType::water ? 0 : state + 1;
       kinds.insert(kind);
       const float speed = particles.velocity.empty() ? 0.F : particles.velocity[i].norm();
+      table.fastest = std::max(table.fastest, static_cast<double>(speed));
       fmt::print(stream, "{:.6g},{:.6g},{},{:.5g}\n", particles.position[i].x(), particles.position[i].z(), kind,
                  speed);
     }
   });
-  return {kinds.begin(), kinds.end()};
+  table.kinds.assign(kinds.begin(), kinds.end());
+  return table;
 }
 
 }  // namespace thalweg

@@ -26,6 +26,14 @@ PictureFrame frame_around(const std::vector<ProfileSet>& sets, double from, doub
 /// A folder name made of a label: "OpenFOAM 10 mm" → "openfoam_10_mm".
 std::string folder_name_of(const std::string& label);
 
+/// A table of particles to draw: x, z [m], kind (0 water, 1 sediment without state, 2 deposit, 3 bed load, 4 suspended)
+/// and speed [m/s].
+struct ParticleTable {
+  std::filesystem::path file;
+  std::vector<std::size_t> kinds;  // that occur
+  double fastest = 0;              // [m/s]
+};
+
 /// Writes gnuplot scripts into one folder; each draws NAME.svg and NAME.png beside itself, from CSV files named by
 /// relative paths. How a curve looks: its colour says which curve it is (Okabe and Ito's colours, safe for colour-blind
 /// readers), its dash or marker says where it comes from. Every function returns the script's path and throws RunError.
@@ -46,10 +54,8 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path energies(const std::filesystem::path& history, bool has_internal,
                                                const std::string& unit) const;
 
-  /// Particles by what they are and by how fast they are, without exaggeration (PNG only); `table` as
-  /// write_particle_table writes it, `shown` the kinds in it.
-  [[nodiscard]] std::filesystem::path particles(const std::filesystem::path& table,
-                                                const std::vector<std::size_t>& shown, const PictureFrame& frame,
+  /// Particles by what they are and by how fast they are, without exaggeration (PNG only).
+  [[nodiscard]] std::filesystem::path particles(const ParticleTable& table, const PictureFrame& frame,
                                                 double spacing) const;
 
  private:
@@ -60,10 +66,9 @@ class FigureWriter {
   std::filesystem::path folder_;
 };
 
-/// Writes x, z [m], kind (0 water, 1 sediment without state, 2 deposit, 3 bed load, 4 suspended) and speed [m/s] of the
-/// water and sediment within half a spacing of the plane y, at most `limit` of them (every n-th). Returns the kinds
-/// that occur. Throws RunError.
-std::vector<std::size_t> write_particle_table(const std::filesystem::path& file, const ParticleSet& particles,
-                                              double plane_y, std::size_t limit);
+/// Writes the water and sediment within half a spacing of the plane y, at most `limit` of them (every n-th).
+/// Throws RunError.
+ParticleTable write_particle_table(const std::filesystem::path& file, const ParticleSet& particles, double plane_y,
+                                   std::size_t limit);
 
 }  // namespace thalweg

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <utility>
 
 namespace thalweg::html {
 namespace {
@@ -56,8 +57,16 @@ std::string escape(std::string_view text) {
 }
 
 std::string typeset(std::string_view value) {
-  std::string text = std::regex_replace(escape(value), std::regex(R"((^|[ (+])-(?=[0-9.]))"), "$1\u2212");
-  return std::regex_replace(text, std::regex(R"(\^(-?[0-9.]+|[a-z]))"), "<sup>$1</sup>");
+  const std::pair<const char*, const char*> rules[] = {
+      {R"((^|[ (+])-(?=[0-9.]))", "$1\u2212"},
+      {R"((\d)e\+?0*(\d+)\b)", "$1\u202f×\u202f10<sup>$2</sup>"},
+      {R"((\d)e-0*(\d+)\b)", "$1\u202f×\u202f10<sup>\u2212$2</sup>"},
+      {R"(\^(-?[0-9.]+|[a-z]))", "<sup>$1</sup>"},
+      {R"((\d )us\b)", "$1µs"},
+  };
+  std::string text = escape(value);
+  for (const auto& [pattern, replacement] : rules) text = std::regex_replace(text, std::regex(pattern), replacement);
+  return text;
 }
 
 std::string table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& rows,

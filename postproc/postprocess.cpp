@@ -116,7 +116,9 @@ Exit postprocess(const PostprocessOptions& options) {
 
   bool complete = !input.extraction.damaged;
   if (options.report) {
-    input.repeatability = read_repeatability(input.resolved.folder / "repeatability.csv");
+    const fs::path repeatability = input.resolved.folder / "repeatability.csv";
+    input.repeatability = read_repeatability(repeatability);
+    if (!input.repeatability.empty()) input.repeatability_origin = comments_in(repeatability);
     input.history = read_history(run.history());
     input.timing = read_timing(run.timing());
     input.summary = read_quantities(run.summary());

@@ -77,10 +77,10 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
                                       input.resolved.info.dimension == 2 ? "J/m" : "J"));
   }
   constexpr std::size_t most_points = 200'000;  // more than a picture resolves
-  const fs::path table = input.run.report() / "data" / "particles.csv";
-  const std::vector<std::size_t> kinds = write_particle_table(table, read_particles(input.extraction.last_snapshot),
-                                                              input.extraction.plane_y, most_points);
-  scripts.push_back(writer.particles(table, kinds, frame, input.extraction.info.spacing));
+  const ParticleTable table =
+      write_particle_table(input.run.report() / "data" / "particles.csv",
+                           read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
+  scripts.push_back(writer.particles(table, frame, input.extraction.info.spacing));
   return scripts;
 }
 

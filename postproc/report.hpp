@@ -27,6 +27,7 @@ struct ReportInput {
   Comparison comparison;
   std::vector<std::string> reference_notes;  // empty slots and the like, in words
   std::vector<Repeatability> repeatability;
+  std::vector<std::string> repeatability_origin;  // what its file says of where the numbers come from
   History history;
   std::vector<Timing> timing;
   std::vector<Quantity> summary;

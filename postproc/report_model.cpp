@@ -106,7 +106,7 @@ std::string run_numbers(const ReportInput& input) {
     text += fmt::format(
         "<p class=\"small\">Share of the {} rows of <a href=\"../history.csv\">history.csv</a>; the step lay "
         "between {} and {}.</p>\n",
-        input.history.rows, format_quantity(*least, "s"), format_quantity(*most, "s"));
+        input.history.rows, html::typeset(format_quantity(*least, "s")), html::typeset(format_quantity(*most, "s")));
   }
   text += mass_sentence(input.history) + "</div>\n</div>\n";
   text += "<h3>The mesh model</h3>\n";

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -174,7 +175,10 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
 
 std::string errors(const ReportInput& input) {
   std::string text = "<h2>Differences between the sources</h2>\n";
-  for (const std::string& note : input.reference_notes) text += "<p>" + escape(note) + ".</p>\n";
+  for (std::string note : input.reference_notes) {
+    note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+    text += "<p>" + escape(note) + ".</p>\n";
+  }
   const std::vector<CurveError>& all = input.comparison.errors;
   if (all.empty()) return text + "<p>There was nothing to compare the run with.</p>\n";
 
@@ -217,9 +221,10 @@ std::string errors(const ReportInput& input) {
       "<h3>Root mean square difference [mm]</h3>\n" + html::table(heads, rows, "lll" + std::string(times.size(), 'r'));
   if (!input.repeatability.empty()) {
     text += fmt::format(
-        "<p class=\"small\">The scatter is what two runs differ by that differ in nothing of importance "
-        "(repeatability.csv of the case); smaller differences mean nothing{}.</p>\n",
-        any_within_scatter ? " and are marked *" : "");
+        "<p class=\"small\">The scatter is what two runs differ by that differ in nothing of importance; smaller "
+        "differences mean nothing{}. From the case's repeatability.csv: {}</p>\n",
+        any_within_scatter ? " and are marked *" : "",
+        escape(fmt::format("{}", fmt::join(input.repeatability_origin, " "))));
   }
 
   std::vector<std::vector<std::string>> full;

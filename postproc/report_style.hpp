@@ -42,7 +42,7 @@ th:last-child, td:last-child { padding-right: 0; }
 .n { text-align: right; font-variant-numeric: lining-nums tabular-nums; white-space: nowrap; }
 td.group { font-weight: 600; padding-top: 11px; }
 table.texts { max-width: 100%; } table.texts .n { white-space: normal; max-width: 18em; }
-table.constants td:nth-child(2) { min-width: 9em; } table.constants { font-size: 13px; }
+table.constants td:nth-child(2) { min-width: 10em; } table.constants td:first-child { white-space: nowrap; } table.constants { font-size: 13px; }
 sup { font-size: 0.7em; line-height: 0; }
 .soft { color: var(--soft); } .small { font-size: 12.5px; line-height: 1.45; color: var(--soft); max-width: none; }
 .bar { display: inline-block; height: 9px; background: #9bb8cc; vertical-align: baseline; }

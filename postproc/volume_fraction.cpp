@@ -90,7 +90,7 @@ VolumeFractions sum_volume_fractions(const ParticleSet& particles, const WallRun
         const double share = volume * kernel(dx * dx + dz * dz + out_of_plane * out_of_plane);
         const std::size_t node = grid.node(i, k);
         if (wall) {
-          (walls.top[b] <= grid.z(k) + spacing / 2 ? sums.floor : sums.side)[node] += share;
+          (walls.top[b] <= grid.z(k) + spacing ? sums.floor : sums.side)[node] += share;
           continue;
         }
         sums.fluid[node] += share;

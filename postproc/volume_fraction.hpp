@@ -45,8 +45,9 @@ struct WendlandC2 {
 };
 
 /// Kernel sums of volume, phi(x) = sum_b V_b W(|x - x_b|, h) [-], at the nodes of a grid. Walls count as `floor` at
-/// nodes above their run's top and as `side` below it: a floor is full where the fluid ends on it, so that a film
-/// keeps its thickness; a side wall (or a lid) is taken out of the sum's reach, so that it does not bend the surface.
+/// nodes above their run's top (or less than a spacing below it, so that the face itself can be found) and as `side`
+/// further down: a floor is full where the fluid ends on it, so that a film keeps its thickness; a side wall (or a lid)
+/// is taken out of the sum's reach, so that it does not bend the surface.
 struct VolumeFractions {
   SliceGrid grid;
   std::vector<double> fluid;  // water and sediment

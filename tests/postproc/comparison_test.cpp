@@ -134,6 +134,9 @@ TEST(Html, EscapesGroupsAndInlines) {
   EXPECT_EQ(html::grouped(1234567), "1\u202f234\u202f567");
   EXPECT_EQ(html::grouped(-123), "-123");
   EXPECT_EQ(html::grouped(999), "999");
+  EXPECT_EQ(html::typeset("0 m/s^2, -9.81 m/s^2"), "0 m/s<sup>2</sup>, \u22129.81 m/s<sup>2</sup>");
+  EXPECT_EQ(html::typeset("-1.5e-06"), "\u22121.5\u202f×\u202f10<sup>\u22126</sup>");
+  EXPECT_EQ(html::typeset("2-D, 262.5 us"), "2-D, 262.5 µs");
   const TemporaryFolder folder("html");
   write_text(folder.path() / "a.svg",
              "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 1 1\"><title>Gnuplot</title><g id='p'/><use "
