@@ -45,7 +45,7 @@ std::optional<CurveError> compare_curve(const Profile& reference, const Profile&
     sum += difference;
     low = std::min(low, wanted[i]);
     high = std::max(high, wanted[i]);
-    if (std::abs(difference) < std::abs(error.largest_error)) continue;
+    if (error.points > 1 && std::abs(difference) <= std::abs(error.largest_error)) continue;
     error.largest_error = difference;
     error.largest_error_at = x;
   }

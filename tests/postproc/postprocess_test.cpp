@@ -19,7 +19,6 @@ using manufactured::SyntheticRun;
 using manufactured::TemporaryFolder;
 using manufactured::write_text;
 using testing::HasSubstr;
-using testing::Not;
 
 std::string contents_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

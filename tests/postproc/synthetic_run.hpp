@@ -118,7 +118,7 @@ class SyntheticRun {
     set.info.code_version = "0.1.0";
     set.info.case_hash = "0123abcd";
     set.info.time = t;
-    set.info.step = 100 * step;
+    set.info.step = std::int64_t{100} * step;
     return set;
   }
 
