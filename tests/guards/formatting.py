@@ -13,7 +13,8 @@ def check(root, clang_format="clang-format-14"):
     paths = sources(root)
     violations = []
     for path in paths:
-        formatted = subprocess.run([clang_format, "--style=file", path], capture_output=True, text=True, check=True).stdout
+        command = [clang_format, "--style=file", path]
+        formatted = subprocess.run(command, capture_output=True, text=True, check=True).stdout
         for number, (want, have) in enumerate(zip(formatted.splitlines(), path.read_text().splitlines()), 1):
             if want != have:
                 break

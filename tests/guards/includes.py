@@ -38,7 +38,8 @@ FOREIGN = {
 SYNTAX = {
     r"<<<": "CUDA launches belong to solver/backend",
     r"\bcuda[A-Z]\w*": "CUDA calls belong to solver/backend",
-    r"\b__(global|device|host|shared|constant|launch_bounds)__\b": "write HOST_DEVICE; CUDA's words belong to solver/backend",
+    r"\b__(global|device|host|shared|constant|launch_bounds)__\b":
+        "write HOST_DEVICE; CUDA's words belong to solver/backend",
 }
 # The one place outside the backend where CUDA's words are spelled out.
 SPELLS_CUDA = "solver/physics/host_device.hpp"
@@ -78,7 +79,8 @@ def edge_violations(root, path, text):
             continue
         target = layer_of(name) if opening == '"' else None
         if layer and target and target != layer and target not in ALLOWED[layer]:
-            yield f"{where}: {layer} may not include {target}; allowed: {', '.join(sorted(ALLOWED[layer])) or 'nothing'}"
+            allowed = ", ".join(sorted(ALLOWED[layer])) or "nothing"
+            yield f"{where}: {layer} may not include {target}; allowed: {allowed}"
         if layer and opening == '"' and target is None:
             yield f"{where}: {layer} may not include {name}; tests and benchmarks are read by nobody"
         if layer == "solver/physics" and opening == "<" and re.search(r"[./]", name):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The checks themselves, on trees with one mistake planted: each has to be found, and the tree without it has to pass."""
+"""The checks themselves, on trees with one mistake planted: each has to be found, and the tree without it to pass."""
 
 import json
 import pathlib
@@ -134,9 +134,9 @@ class Headers(Tree):
         build = self.root / "build"
         build.mkdir(exist_ok=True)
         units = [path for path in self.root.rglob("*.cpp")]
+        command = f"ccache c++ -I{self.root} -std=c++20 -Wall -Werror -o x -c"
         (build / "compile_commands.json").write_text(json.dumps([
-            {"directory": str(build), "file": str(unit), "command": f"ccache c++ -I{self.root} -std=c++20 -Wall -Werror -o x -c {unit}"}
-            for unit in units]))
+            {"directory": str(build), "file": str(unit), "command": f"{command} {unit}"} for unit in units]))
         return build
 
     def test_a_header_that_needs_another_first_is_found(self):
@@ -176,8 +176,9 @@ class StaticAnalysis(Tree):
                                ("int* f() { return 0; }", "modernize-use-nullptr")):
             with self.subTest(check=check):
                 self.write("common/mistake.cpp", mistake + "\n")
-                result = subprocess.run(["clang-tidy-14", f"--config-file={settings}", "--quiet",
-                                         self.root / "common/mistake.cpp", "--", "-std=c++20"], capture_output=True, text=True)
+                command = ["clang-tidy-14", f"--config-file={settings}", "--quiet", self.root / "common/mistake.cpp",
+                           "--", "-std=c++20"]
+                result = subprocess.run(command, capture_output=True, text=True)
                 self.assertEqual(result.returncode, 1, result.stdout)
                 self.assertIn(check, result.stdout)
 

@@ -9,8 +9,10 @@ from source_tree import report, tracked_files
 
 # What -> the cure. The patterns are split so that this file does not find itself.
 FORBIDDEN = {
-    r"(?<![\w.~$}])/(?:home|root|Users|work" r"|mnt|tmp/\w+)/\w": "a path of one machine; use a relative path or a variable",
-    r"https?://(?:[\w-]+\.)*(?:deb\.debian" r"|debian-ports|npmjs|pypi|crates)\.\w+": "a package host; name the package instead",
+    r"(?<![\w.~$}])/(?:home|root|Users|work" r"|mnt|tmp/\w+)/\w":
+        "a path of one machine; use a relative path or a variable",
+    r"https?://(?:[\w-]+\.)*(?:deb\.debian" r"|debian-ports|npmjs|pypi|crates)\.\w+":
+        "a package host; name the package instead",
     r"^(?:<{7}|>{7}|={7})(?: |$)": "a merge conflict; resolve it",
     r"\b(?:TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b": "unfinished work; do it or write an issue",
     r"[ \t]+$": "space at the end of the line; remove it",

@@ -48,6 +48,10 @@ def points_at(source, time):
     return data
 
 
+def names_of(attributes):
+    return [attributes.GetArrayName(index) for index in range(attributes.GetNumberOfArrays())]
+
+
 class OpenedByParaView(unittest.TestCase):
     def check_particles(self, data, arrays):
         self.assertGreater(data.GetNumberOfPoints(), 100)
@@ -55,7 +59,7 @@ class OpenedByParaView(unittest.TestCase):
         for name, (components, types) in arrays.items():
             with self.subTest(array=name):
                 array = data.GetPointData().GetArray(name)
-                self.assertIsNotNone(array, f"ParaView shows {[data.GetPointData().GetArrayName(i) for i in range(data.GetPointData().GetNumberOfArrays())]}")
+                self.assertIsNotNone(array, f"ParaView shows {names_of(data.GetPointData())}")
                 self.assertEqual(array.GetNumberOfComponents(), components)
                 self.assertIn(array.GetDataTypeAsString(), types)
                 values = vtk_to_numpy(array)

@@ -12,7 +12,7 @@ END = 0.25  # [s]
 INTERVAL = 0.05  # [s]
 COMPARED = (0.10, 0.25)  # [s]
 SETTINGS = (f'numerics.spacing="{SPACING} m"', f'foam.cell="{CELL} m"', f'output.end="{END} s"',
-            f'output.interval="{INTERVAL} s"', f'compare.times={list(f"{time} s" for time in COMPARED)}'.replace("'", '"'))
+            f'output.interval="{INTERVAL} s"', "compare.times=[" + ", ".join(f'"{time} s"' for time in COMPARED) + "]")
 
 # Of the case as it stands in cases/louvain/case.toml.
 WATER_LEVEL = 0.16  # [m]
@@ -25,12 +25,13 @@ BED_DENSITY = 0.47 * 1000 + (1 - 0.47) * 1540  # [kg/m^3] porosity 0.47, grains 
 
 def command(thalweg, program, case, out, settings=SETTINGS, options=()):
     """The command line of a run with settings of the case file overridden."""
-    return [str(thalweg), program, str(case), "--out", str(out), *options, *(word for text in settings for word in ("--set", text))]
+    overrides = [word for text in settings for word in ("--set", text)]
+    return [str(thalweg), program, str(case), "--out", str(out), *options, *overrides]
 
 
-def call(words, **options):
+def call(words):
     """Runs a program to its end and keeps what it said."""
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, stdin=subprocess.DEVNULL, **options)
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
 
 
 def table(file):

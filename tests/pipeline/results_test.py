@@ -11,8 +11,9 @@ import coarse_louvain as case
 
 thalweg, run = (pathlib.Path(argument) for argument in (sys.argv.pop(1), sys.argv.pop(1)))
 
-HISTORY = ("time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_energy [J],internal_energy [J],water_mass [kg],"
-           "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-]").split(",")
+HISTORY = ("time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_energy [J],internal_energy [J],"
+           "water_mass [kg],sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],"
+           "viscous_residual [-]").split(",")
 PROFILE = ["x [m]", "free_surface [m]", "bed [m]", "moving_bed [m]"]
 GRAVITY_WAVE = (9.81 * 0.10) ** 0.5  # [m/s] in the tank; the dam's wave runs back with it
 DRY_FRONT = 2 * GRAVITY_WAVE  # [m/s] Ritter's front on a frictionless dry bed: nothing is faster
@@ -34,13 +35,13 @@ class Links(html.parser.HTMLParser):
 
 class Files(unittest.TestCase):
     def test_nothing_half_written_is_left(self):
-        leftovers = [path for path in run.rglob("*") if path.is_file() and (path.stat().st_size == 0 or "tmp" in path.suffix)
-                     and not path.is_relative_to(run / "foam")]
+        ours = [path for path in run.rglob("*") if path.is_file() and not path.is_relative_to(run / "foam")]
+        leftovers = [path for path in ours if path.stat().st_size == 0 or "tmp" in path.name]
         self.assertEqual(leftovers, [])
 
     def test_snapshots_are_at_the_times_asked_for(self):
-        wanted = sorted({round(index * case.INTERVAL, 9) for index in range(round(case.END / case.INTERVAL) + 1)} | set(case.COMPARED))
-        self.assertEqual([round(time, 6) for time, _ in case.series(run)], wanted)
+        regular = {round(index * case.INTERVAL, 6) for index in range(round(case.END / case.INTERVAL) + 1)}
+        self.assertEqual([round(time, 6) for time, _ in case.series(run)], sorted(regular | set(case.COMPARED)))
         for _, file in case.series(run):
             self.assertTrue(file.is_file(), file)
 
@@ -107,8 +108,8 @@ class Profiles:
         return case.table(self.folder / f"t{time:.3f}.csv")
 
     def test_one_file_for_each_time_with_the_columns_of_the_contract(self):
-        self.assertEqual({path.name for path in self.folder.glob("t*.csv")} & {f"t{time:.3f}.csv" for time in case.COMPARED},
-                         {f"t{time:.3f}.csv" for time in case.COMPARED})
+        wanted = {f"t{time:.3f}.csv" for time in case.COMPARED}
+        self.assertLessEqual(wanted, {path.name for path in self.folder.glob("t*.csv")})
         for time in case.COMPARED:
             rows = self.profile(time)
             self.assertTrue(set(rows[0]) <= set(PROFILE) and set(PROFILE[:3]) <= set(rows[0]), list(rows[0]))
@@ -141,8 +142,8 @@ class Profiles:
     def test_the_area_between_surface_and_bed_is_the_water(self):
         for time in case.COMPARED:
             rows = [row for row in self.profile(time) if None not in (row["free_surface [m]"], row["bed [m]"])]
-            area = sum(0.5 * (right["x [m]"] - left["x [m]"]) * sum(row["free_surface [m]"] - row["bed [m]"] for row in (left, right))
-                       for left, right in zip(rows, rows[1:]))
+            depths = [(row["x [m]"], row["free_surface [m]"] - row["bed [m]"]) for row in rows]
+            area = sum(0.5 * (x1 - x0) * (depth0 + depth1) for (x0, depth0), (x1, depth1) in zip(depths, depths[1:]))
             # Half a resolution over the tank's metre at surface and bed each.
             self.assertAlmostEqual(area, case.WATER_AREA, delta=self.resolution, msg=f"t = {time} s")
 

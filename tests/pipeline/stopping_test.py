@@ -27,8 +27,9 @@ class Stopped(unittest.TestCase):
         self.log = open(f"{self.run}.log", "w+")
         self.addCleanup(self.log.close)
         # A session of its own, so that a signal to the group reaches every stage as Ctrl-C on a terminal does.
-        self.process = subprocess.Popen(case.command(thalweg, "run", case.CASE, self.run, ENDLESS, ["--no-foam"]),
-                                        stdout=self.log, stderr=self.log, stdin=subprocess.DEVNULL, start_new_session=True)
+        command = case.command(thalweg, "run", case.CASE, self.run, ENDLESS, ["--no-foam"])
+        self.process = subprocess.Popen(command, stdout=self.log, stderr=self.log, stdin=subprocess.DEVNULL,
+                                        start_new_session=True)
         self.addCleanup(self.end_group)
         self.wait_for_snapshots(3)
 

@@ -39,7 +39,8 @@ class WrongInput(unittest.TestCase):
 
     def rejected_case(self, old, new, *expected):
         line = self.case_with(old, new)
-        self.rejected(case.command(thalweg, "run", self.folder, self.out, (), ["--no-foam"]), f"case.toml:{line}:", *expected)
+        command = case.command(thalweg, "run", self.folder, self.out, (), ["--no-foam"])
+        self.rejected(command, f"case.toml:{line}:", *expected)
 
     def test_unknown_key_names_the_nearest(self):
         self.rejected_case('spacing = "5 mm"', 'spacng = "5 mm"', "spacng", "spacing")
@@ -60,7 +61,8 @@ class WrongInput(unittest.TestCase):
         self.rejected(case.command(thalweg, "run", self.folder / "nowhere", self.out, ()), "nowhere")
 
     def test_setting_of_an_unknown_key(self):
-        self.rejected(case.command(thalweg, "run", case.CASE, self.out, ('numerics.spacng="4 mm"',)), "spacng", "spacing")
+        command = case.command(thalweg, "run", case.CASE, self.out, ('numerics.spacng="4 mm"',))
+        self.rejected(command, "spacng", "spacing")
 
     def test_unknown_program(self):
         self.rejected([thalweg, "gencaes", case.CASE], "gencaes", "gencase")
