@@ -142,6 +142,12 @@ struct WaterParameters {
 };
 
 enum class SedimentModel { off, viscoplastic };
+enum class WallFriction { none, smooth };
+
+inline constexpr std::array<Choice<WallFriction>, 2> choices(WallFriction) {
+  return {{{WallFriction::none, "none", "water slips along walls"},
+           {WallFriction::smooth, "smooth", "shear stress of a smooth wall's turbulent boundary layer (Blasius)"}}};
+}
 
 inline constexpr std::array<Choice<SedimentModel>, 2> choices(SedimentModel) {
   return {{{SedimentModel::off, "off", "no sediment in the scene"},
@@ -160,10 +166,13 @@ inline constexpr std::array<Choice<YieldFit>, 5> choices(YieldFit) {
 struct Model {
   SedimentModel sediment = SedimentModel::off;
   YieldFit yield_fit = YieldFit::sine;
+  WallFriction wall_friction = WallFriction::none;
 
   template <class V>
   void describe(V& v) {
     v.choice("sediment", sediment, "How sediment moves.");
+    v.choice("wall_friction", wall_friction,
+             "What water feels of the walls it runs along; sediment always sticks to walls.");
     v.choice("yield_fit", yield_fit,
              "How the friction angle becomes the pressure coefficient of the Drucker-Prager yield stress.");
   }

@@ -15,13 +15,57 @@ inline constexpr const char* excess = "Excess";
 inline constexpr const char* listed_at = "ListedAt";  // three integers kept as doubles, exact
 }  // namespace checkpoint_array
 
+/// Brings particles to the device's arrays, fluid and walls mixed as they come; lists are made by the first step.
+template <int Dim, class Device>
+void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const ParticleSet& from) {
+  const auto n = static_cast<Index>(from.size());
+  p.count = n;
+  p.record.assign(n + std::size_t{1}, Record{});
+  p.position.resize(n);
+  p.mass.assign(from.mass.begin(), from.mass.end());
+  p.id.assign(from.id.begin(), from.id.end());
+  p.type.resize(n);
+  p.rates.assign(n, Rates{});
+  if (scene.has_sediment) p.sediment.assign(n, Sediment{});
+  const auto exact_excess = from.scalars.find(checkpoint_array::excess);
+  const auto strain = from.scalars.find("StrainRate");
+  Index fluid = 0;
+  for (Index i = 0; i < n; ++i) {
+    Record& r = p.record[i];
+    const auto type = from.type[i];
+    p.type[i] = static_cast<std::uint8_t>(type);
+    r.phase = type == ParticleType::sediment ? phase_sediment : type == ParticleType::water ? phase_water : phase_wall;
+    for (int c = 0; c < 3; ++c) {
+      p.position[i].x[c] = from.position[i][c];
+      if (!from.velocity.empty()) r.velocity[c] = from.velocity[i][c];
+    }
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      r.place[c] = scene.lattice.place(k, p.position[i].x[c]);
+    }
+    if (!from.pressure.empty()) r.pressure = from.pressure[i];
+    if (r.phase == phase_wall) {
+      r.volume = static_cast<float>(std::pow(scene.spacing, Dim));
+      continue;
+    }
+    ++fluid;
+    const double rho0 = scene.density_at_rest(r.phase);
+    r.excess = exact_excess != from.scalars.end() ? exact_excess->second[i]
+                                                  : static_cast<float>(double(from.density[i]) / rho0 - 1);
+    r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
+    if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
+    if (scene.has_sediment && strain != from.scalars.end()) p.sediment[i].strain_rate = strain->second[i];
+  }
+  p.fluid_count = fluid;
+}
+
 /// The simulation in dimension Dim on Device: particles on the device and the step over them.
 template <int Dim, class Device>
 class SimulationOn final : public Simulation {
  public:
   SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from)
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
-    load(from);
+    load_particles(p_, scene_, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(listed->second);
   }
@@ -83,55 +127,11 @@ class SimulationOn final : public Simulation {
   }
 
  private:
-  void load(const ParticleSet& from) {
-    const auto n = static_cast<Index>(from.size());
-    p_.count = n;
-    p_.record.assign(n + std::size_t{1}, Record{});
-    p_.position.resize(n);
-    p_.mass.assign(from.mass.begin(), from.mass.end());
-    p_.id.assign(from.id.begin(), from.id.end());
-    p_.type.resize(n);
-    p_.rates.assign(n, Rates{});
-    if (scene_.has_sediment) p_.sediment.assign(n, Sediment{});
-    const auto exact_excess = from.scalars.find(checkpoint_array::excess);
-    const auto strain = from.scalars.find("StrainRate");
-    Index fluid = 0;
-    for (Index i = 0; i < n; ++i) {
-      Record& r = p_.record[i];
-      const auto type = from.type[i];
-      p_.type[i] = static_cast<std::uint8_t>(type);
-      r.phase = type == ParticleType::sediment ? phase_sediment
-                : type == ParticleType::water  ? phase_water
-                                               : phase_wall;
-      for (int c = 0; c < 3; ++c) {
-        p_.position[i].x[c] = from.position[i][c];
-        if (!from.velocity.empty()) r.velocity[c] = from.velocity[i][c];
-      }
-      for (int k = 0; k < Dim; ++k) {
-        const int c = axis<Dim>(k);
-        r.place[c] = scene_.lattice.place(k, p_.position[i].x[c]);
-      }
-      if (!from.pressure.empty()) r.pressure = from.pressure[i];
-      if (r.phase == phase_wall) {
-        r.volume = static_cast<float>(std::pow(scene_.spacing, Dim));
-        continue;
-      }
-      ++fluid;
-      const double rho0 = scene_.density_at_rest(r.phase);
-      r.excess = exact_excess != from.scalars.end() ? exact_excess->second[i]
-                                                    : static_cast<float>(double(from.density[i]) / rho0 - 1);
-      r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
-      if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
-      if (scene_.has_sediment && strain != from.scalars.end()) p_.sediment[i].strain_rate = strain->second[i];
-    }
-    p_.fluid_count = fluid;
-  }
-
   /// A checkpoint holds the particles in list order: lists are built for the places they were built for, which makes
   /// the continued run the same, bit for bit, as one that never stopped.
   void restore_lists(const std::vector<double>& listed) {
     p_.listed_at.resize(p_.count);
-    HostBuffer<Place> now(p_.count);
+    std::vector<Place> now(p_.count);
     for (Index i = 0; i < p_.count; ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
         now[i].c[c] = p_.record[i].place[c];

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/error.hpp"
 #include "common/units.hpp"
@@ -49,6 +50,19 @@ void bounds(const Case& from, const ParticleSet& particles, Vec<Dim, double>& lo
   }
 }
 
+/// A node of the lattice the scene was filled on: a wall particle, which stays there, or else by gencase's convention
+/// half a spacing inside the domain.
+template <int Dim>
+Vec<Dim, double> lattice_node(const Case& from, const ParticleSet& particles) {
+  std::size_t wall = particles.size();
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const bool first = wall == particles.size() || particles.id[i] < particles.id[wall];
+    if (particles.type[i] == ParticleType::wall && first) wall = i;
+  }
+  if (wall < particles.size()) return in_dimension<Dim>(particles.position[wall]);
+  return in_dimension<Dim>(from.domain.from + Vec3::Constant(0.5 * from.numerics.spacing));
+}
+
 template <int Dim>
 Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   Scene<Dim> s;
@@ -61,6 +75,8 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.singularity = static_cast<float>(0.01 * h * h);
   s.domain_from = in_dimension<Dim>(from.domain.from);
   s.domain_to = in_dimension<Dim>(from.domain.to);
+
+  s.lattice_node = lattice_node<Dim>(from, particles);
 
   Vec<Dim, double> low{};
   Vec<Dim, double> high{};
@@ -87,6 +103,8 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.sound_speed = static_cast<float>(c);
   s.water_density = static_cast<float>(from.water.density);
   s.water_viscosity = static_cast<float>(from.water.viscosity);
+  s.quarter_root_viscosity = static_cast<float>(std::pow(from.water.viscosity / from.water.density, 0.25));
+  s.wall_friction = from.model.wall_friction == WallFriction::smooth;
   s.sediment_density = s.water_density;
   s.diffusion = static_cast<float>(2 * n.density_diffusion * h * c);
   s.artificial_viscosity = static_cast<float>(n.artificial_viscosity * c * h);

@@ -24,19 +24,23 @@ struct Scene {
   Vec<Dim, double> domain_from{};  // [m] particles outside are excluded
   Vec<Dim, double> domain_to{};    // [m]
 
+  Vec<Dim, double> lattice_node{};  // [m] one node of the lattice the particles started on
+
   double spacing = 0;           // [m]
   double smoothing_length = 0;  // [m]
   double list_reach = 0;        // [m] support with skin
   WendlandC2<Dim, float> kernel{1.0F};
   float singularity = 0;  // eps = 0.01 h^2 [m^2]
 
-  Vec<Dim, float> gravity{};       // [m/s^2]
-  float sound_speed = 0;           // [m/s] the same in both phases
-  float water_density = 0;         // [kg/m^3] at rest
-  float sediment_density = 0;      // [kg/m^3] bed as a whole, at rest
-  float water_viscosity = 0;       // [Pa s]
-  float diffusion = 0;             // 2 delta h c [m^2/s]
-  float artificial_viscosity = 0;  // alpha c h [m^2/s]
+  Vec<Dim, float> gravity{};         // [m/s^2]
+  float sound_speed = 0;             // [m/s] the same in both phases
+  float water_density = 0;           // [kg/m^3] at rest
+  float sediment_density = 0;        // [kg/m^3] bed as a whole, at rest
+  float water_viscosity = 0;         // [Pa s]
+  float quarter_root_viscosity = 0;  // (mu_w/rho_w)^(1/4)
+  bool wall_friction = false;        // of water
+  float diffusion = 0;               // 2 delta h c [m^2/s]
+  float artificial_viscosity = 0;    // alpha c h [m^2/s]
   double cfl = 0;
   double viscous_tolerance = 0;
 

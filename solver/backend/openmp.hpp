@@ -26,6 +26,11 @@ struct OpenMp {
 
   int threads = omp_get_max_threads();
 
+  /// Fewer particles (a few ns each in a particle pass) or clusters (some hundred ns each in a sweep) than these are
+  /// not worth waking other threads for: ten to twenty microseconds, more on a busy machine.
+  static constexpr Index least_parallel = 16384;
+  static constexpr Index least_parallel_clusters = 512;
+
   /// Adds to a counter that several particles may share; integers, so that the sum does not depend on the order.
   static void atomic_add(std::int64_t* counter, std::int64_t amount) {
     __atomic_fetch_add(counter, amount, __ATOMIC_RELAXED);
@@ -34,7 +39,7 @@ struct OpenMp {
   /// body(i) for i in [0, n): the particle pass.
   template <class Body>
   void for_each(Index n, const Body& body) const {
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
     for (Index i = 0; i < n; ++i) body(i);
   }
 
@@ -45,7 +50,7 @@ struct OpenMp {
     constexpr Index block = 2048;
     const Index blocks = (n + block - 1) / block;
     std::vector<T> partial(blocks, start);
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
     for (Index b = 0; b < blocks; ++b) {
       T sum = start;
       const Index end = (b + 1) * block < n ? (b + 1) * block : n;
@@ -104,7 +109,7 @@ struct OpenMp {
   template <int Dim, class Body>
   void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
              const Body& body) const {
-#pragma omp parallel for schedule(dynamic, 32) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 32) num_threads(threads) if (range.count >= least_parallel_clusters)
     for (Index n = 0; n < range.count; ++n) sweep_cluster<Dim>(list, range[n], records, quantum, body);
   }
 

@@ -7,7 +7,13 @@
 namespace thalweg {
 
 void stable_sort_by_key(HostBuffer<std::uint64_t>& key, HostBuffer<Index>& order) {
-  thrust::stable_sort_by_key(thrust::omp::par, key.begin(), key.end(), order.begin());
+  // Below this a parallel sort costs more in waiting than it saves.
+  constexpr std::size_t worth_threads = 100'000;
+  if (key.size() < worth_threads) {
+    thrust::stable_sort_by_key(thrust::seq, key.begin(), key.end(), order.begin());
+  } else {
+    thrust::stable_sort_by_key(thrust::omp::par, key.begin(), key.end(), order.begin());
+  }
 }
 
 }  // namespace thalweg

@@ -31,12 +31,11 @@ struct ContinuitySweep {
 
   template <class LaneT, class Sep, class L, class S>
   HOST_DEVICE void add(const LaneT& a, const LaneT& b, const Sep& s, const L& F, S& sum) const {
-    const L inverse = lane_reciprocal(s.r2 + L(scene.singularity));
     sum.compression += b.volume * F * dot(a.velocity - b.velocity, s.r);
     const float per_c2 = 1 / (scene.sound_speed * scene.sound_speed);
     L g_dot_r = s.r[0] * L(scene.gravity[0] * per_c2);
     for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + s.r[k] * L(scene.gravity[k] * per_c2);
-    const L psi = density_diffusion(a.excess, b.excess, g_dot_r, s.r2, F, inverse);
+    const L psi = density_diffusion(a.excess, b.excess, g_dot_r, F);
     sum.diffusion += lane_select(a.phase == b.phase, b.volume * psi, L(0.0F));
   }
 

@@ -6,10 +6,12 @@
 namespace thalweg {
 
 /// Pair sweep: acceleration by pressure, artificial viscosity, water's own viscosity and gravity,
-///   rho_a du_a/dt = - sum_b V_b (P_a + P_b + Pi_ab) grad W + sum_b V_b 2 mu_w (r.grad W)/(r^2 + eps) u_ab + rho_a g
+///   rho_a du_a/dt = - sum_b V_b (P_a + P_b + Pi_ab) grad W + sum_b V_b 2 mu_w F u_ab + rho_a g
 /// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a; forces m_a du_a/dt are antisymmetric pair by pair. The viscosity
-/// of sediment, and between water and sediment, is left to passes/viscosity.hpp.
-template <int Dim>
+/// of sediment, and between water and sediment, is left to passes/viscosity.hpp. With wall_friction, water
+/// beside a wall has the viscosity of smooth_wall_viscosity in place of mu_w; without it walls are frictionless for
+/// water.
+template <int Dim, bool wall_friction>
 struct MomentumSweep {
   static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
   template <class L>
@@ -33,8 +35,16 @@ struct MomentumSweep {
     const L strength = lane_select(same_phase, rho0 * L(scene.artificial_viscosity), L(0.0F));
     const L along = -weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, s.r), inverse, strength));
 
-    const auto both_water = same_phase & (a.phase < L(phase_water + 0.5F));
-    const L drag = weight * lane_select(both_water, L(2 * scene.water_viscosity), L(0.0F)) * s.r2 * inverse;
+    const auto a_water = a.phase < L(phase_water + 0.5F);
+    L eta = lane_select(same_phase & a_water, L(scene.water_viscosity), L(0.0F));
+    if constexpr (wall_friction) {
+      const auto b_wall = b.phase < L(phase_wall + 0.5F);
+      const L at_wall =
+          smooth_wall_viscosity(L(scene.water_viscosity), L(scene.water_density), lane_sqrt(dot(u, u)),
+                                L(static_cast<float>(0.5 * scene.spacing)), L(scene.quarter_root_viscosity));
+      eta = lane_select(a_water & b_wall, at_wall, eta);
+    }
+    const L drag = weight * L(2.0F) * eta;
     for (int k = 0; k < Dim; ++k) sum.force[k] += along * s.r[k] + drag * u[k];
   }
 
@@ -49,8 +59,14 @@ struct MomentumSweep {
 
 template <int Dim, class Device>
 void compute_accelerations(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  on.template sweep<Dim>(p.list(), p.all_fluid(), p.record.data(), scene.lattice.quantum,
-                         MomentumSweep<Dim>{p.record.data(), p.rates.data(), scene});
+  const auto sweep = [&](const auto& body) {
+    on.template sweep<Dim>(p.list(), p.all_fluid(), p.record.data(), scene.lattice.quantum, body);
+  };
+  if (scene.wall_friction) {
+    sweep(MomentumSweep<Dim, true>{p.record.data(), p.rates.data(), scene});
+  } else {
+    sweep(MomentumSweep<Dim, false>{p.record.data(), p.rates.data(), scene});
+  }
 }
 
 }  // namespace thalweg

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "solver/backend/pack.hpp"
 #include "solver/morton.hpp"
 #include "solver/particles.hpp"
 

@@ -30,7 +30,9 @@ struct ColumnLattice {
   explicit ColumnLattice(const Scene<Dim>& scene) {
     inverse_spacing = 1 / scene.spacing;
     for (int k = 0; k < Dim; ++k) {
-      from[k] = scene.domain_from[k];
+      // Nodes where the particles started, so that a column at a wall is covered whole or not at all.
+      const double to_node = scene.lattice_node[k] - scene.domain_from[k];
+      from[k] = scene.lattice_node[k] - std::ceil(to_node * inverse_spacing) * scene.spacing;
       nodes[k] = static_cast<int>(std::ceil((scene.domain_to[k] - from[k]) * inverse_spacing)) + 2;
       periodic[k] = scene.lattice.periodic[k];
       if (periodic[k])
@@ -91,7 +93,7 @@ struct DepositPass {
       if (!in) continue;
       const int up = (corner >> (Dim - 1)) & 1;
       const int level = node[Dim - 1] + up;
-      if (weight > 0.5F) wetted[column] = 1;
+      if (weight >= 0.5F) wetted[column] = 1;
       if (r.phase != phase_sediment || level < 0 || level >= levels) continue;
       weight *= up != 0 ? share[Dim - 1] : 1 - share[Dim - 1];
       atomic_add_to(deposited + static_cast<std::int64_t>(column) * levels + level,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "solver/particles.hpp"
 #include "solver/physics/pair_terms.hpp"
@@ -55,7 +56,6 @@ struct ViscousCoefficientSweep {
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
-    const L inverse = lane_reciprocal(s.r2 + L(scene.singularity));
     const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
     const Vec<Dim, L> u = a.velocity - b.velocity;
 
@@ -67,8 +67,7 @@ struct ViscousCoefficientSweep {
     const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
     const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
     const L of_water = lane_select(b_sediment, interface, L(0.0F));
-    const L k = L(dt) * viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water), F, s.r2,
-                                            inverse);
+    const L k = L(dt) * viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water), F);
     lane_store(coefficient + entry, k);
     sum.coefficients += k;
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
@@ -127,18 +126,53 @@ void for_each_member(Device& on, const ClusterList& list, ClusterRange range, co
   });
 }
 
-/// Sum of of(i) over those particles.
-template <class Device, class Of>
-double sum_over_members(Device& on, const ClusterList& list, ClusterRange range, const Of& of) {
+/// The two sums the iteration needs of the residuals.
+struct Norms {
+  double preconditioned = 0;  // r . r / diagonal
+  double squared = 0;         // r . r
+};
+
+/// Sum of of(i) over those particles, `of` returning double or Norms; may change what it visits.
+template <class T, class Device, class Of>
+T sum_over_members(Device& on, const ClusterList& list, ClusterRange range, const Of& of) {
+  const auto add = [](T a, const T& b) {
+    if constexpr (std::is_same_v<T, Norms>) {
+      return Norms{a.preconditioned + b.preconditioned, a.squared + b.squared};
+    } else {
+      return a + b;
+    }
+  };
   return on.reduce(
-      range.count, 0.0,
+      range.count, T{},
       [=](Index n) {
         const Index c = range[n];
-        double sum = 0;
-        for (Index i = list.first(c); i < list.last(c); ++i) sum += of(i);
+        T sum{};
+        for (Index i = list.first(c); i < list.last(c); ++i) sum = add(sum, of(i));
         return sum;
       },
-      [](double a, double b) { return a + b; });
+      add);
+}
+
+template <class Row>
+HOST_DEVICE Norms norms_of(const Row& row) {
+  const double squared = dot3(row.residual, row.residual);
+  return {squared / double(row.diagonal), squared};
+}
+
+/// Root of the summed squares of the momentum that gravity and the present accelerations give in a step [kg m/s], or,
+/// without gravity, `otherwise`.
+template <int Dim, class Device>
+double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, float dt, double otherwise) {
+  double g2 = 0;
+  for (int k = 0; k < Dim; ++k) g2 += double(scene.gravity[k]) * double(scene.gravity[k]);
+  if (g2 == 0) return otherwise;
+  const float* mass = p.mass.data();
+  const Rates* rates = p.rates.data();
+  const double squares = sum_over_members<double>(on, p.list(), p.near_sediment(), [=](Index i) {
+    const double m = mass[i];
+    return m * m * (g2 + dot3(rates[i].acceleration, rates[i].acceleration));
+  });
+  return double(dt) * std::sqrt(squares);
 }
 
 }  // namespace viscosity
@@ -159,46 +193,37 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   Record* records = p.record.data();
   Row* rows = system.row.data();
   const float* mass = p.mass.data();
-  const Rates* rates = p.rates.data();
-  const auto total = [&](const auto& of) { return viscosity::sum_over_members(on, list, range, of); };
+  using viscosity::Norms;
+  const auto total = [&](const auto& of) { return viscosity::sum_over_members<double>(on, list, range, of); };
+  const auto norms = [&](const auto& of) { return viscosity::sum_over_members<Norms>(on, list, range, of); };
   const auto each = [&](const auto& body) { viscosity::for_each_member(on, list, range, body); };
 
   on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
                          ViscousCoefficientSweep<Dim, Row>{mass, system.coefficient.data(), rows, scene, dt});
-  double g2 = 0;
-  for (int k = 0; k < Dim; ++k) g2 += double(scene.gravity[k]) * double(scene.gravity[k]);
-  double scale =
-      g2 == 0 ? total([=](Index i) { return dot3(rows[i].residual, rows[i].residual); })
-              : double(dt) * double(dt) * total([=](Index i) {
-                  return double(mass[i]) * double(mass[i]) * (g2 + dot3(rates[i].acceleration, rates[i].acceleration));
-                });
-  scale = std::sqrt(scale);
-
-  each([=](Index i) {
+  Norms now = norms([=](Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
+    return viscosity::norms_of(rows[i]);
   });
-  double rz = total([=](Index i) { return dot3(rows[i].residual, rows[i].residual) / double(rows[i].diagonal); });
+  const double scale = viscosity::momentum_of_a_step(on, p, scene, dt, std::sqrt(now.squared));
 
   ViscousResult result;
   while (true) {
-    result.residual =
-        scale > 0 ? std::sqrt(total([=](Index i) { return dot3(rows[i].residual, rows[i].residual); })) / scale : 0;
+    result.residual = scale > 0 ? std::sqrt(now.squared) / scale : 0;
     result.converged = result.residual <= scene.viscous_tolerance;
     if (result.converged || result.iterations == viscosity::most_iterations || !std::isfinite(result.residual)) break;
     on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
                            ViscousProductSweep<Dim, Row>{records, mass, system.coefficient.data(), rows});
     const double pAp = total([=](Index i) { return dot3(records[i].work, rows[i].product); });
-    const auto alpha = static_cast<float>(rz / pAp);
-    each([=](Index i) {
+    const auto alpha = static_cast<float>(now.preconditioned / pAp);
+    const Norms next = norms([=](Index i) {
       for (int c = 0; c < 3; ++c) {
         rows[i].increment[c] += alpha * records[i].work[c];
         rows[i].residual[c] -= alpha * rows[i].product[c];
       }
+      return viscosity::norms_of(rows[i]);
     });
-    const double next =
-        total([=](Index i) { return dot3(rows[i].residual, rows[i].residual) / double(rows[i].diagonal); });
-    const auto beta = static_cast<float>(next / rz);
-    rz = next;
+    const auto beta = static_cast<float>(next.preconditioned / now.preconditioned);
+    now = next;
     each([=](Index i) {
       for (int c = 0; c < 3; ++c)
         records[i].work[c] = rows[i].residual[c] / rows[i].diagonal + beta * records[i].work[c];

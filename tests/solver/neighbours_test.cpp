@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "scenes.hpp"
+
+namespace thalweg {
+namespace {
+
+using test::LatticeSetup;
+using test::Loaded;
+
+/// Every pair closer than the reach is in the list of the first one's cluster, exactly once; walls list no walls.
+template <int Dim>
+void expect_complete(const Loaded<Dim>& l) {
+  const ClusterList list = l.p.list();
+  const auto distance2 = [&](Index a, Index b) {
+    double r2 = 0;
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      double d = l.p.position[a].x[c] - l.p.position[b].x[c];
+      const double period = l.scene.lattice.range[k];
+      if (l.scene.lattice.periodic[k]) d -= period * std::round(d / period);
+      r2 += d * d;
+    }
+    return r2;
+  };
+  const double reach2 = l.scene.list_reach * l.scene.list_reach;
+  for (Index c = 0; c < list.clusters; ++c) {
+    std::multiset<Index> listed(list.entries + list.begin[c], list.entries + list.begin[c + 1]);
+    listed.erase(list.count);
+    for (const Index j : listed) ASSERT_EQ(listed.count(j), 1U) << "cluster " << c << " lists " << j << " twice";
+    for (Index i = list.first(c); i < list.last(c); ++i) {
+      for (Index j = 0; j < l.p.count; ++j) {
+        const bool wanted = c < list.fluid_clusters || j < list.fluid_count;
+        if (wanted && distance2(i, j) < reach2 * (1 - 1e-5)) {
+          ASSERT_EQ(listed.count(j), 1U) << "particle " << i << " misses neighbour " << j;
+        }
+      }
+    }
+  }
+}
+
+ParticleType floor_below(const Vec3& x) { return x.z() < 0.035 ? ParticleType::wall : ParticleType::water; }
+
+TEST(Neighbours, AreCompleteInThePlane) {
+  LatticeSetup<2> setup;
+  expect_complete(
+      test::load(test::make_scene_of(setup), test::fill_lattice(test::make_scene_of(setup), floor_below, 0.3)));
+}
+
+TEST(Neighbours, AreCompleteInSpace) {
+  LatticeSetup<3> setup;
+  setup.length = 0.1;
+  expect_complete(
+      test::load(test::make_scene_of(setup), test::fill_lattice(test::make_scene_of(setup), floor_below, 0.3)));
+}
+
+TEST(Neighbours, WrapAroundPeriods) {
+  LatticeSetup<2> plane;
+  plane.periodic = true;
+  expect_complete(
+      test::load(test::make_scene_of(plane), test::fill_lattice(test::make_scene_of(plane), test::all_water, 0.3)));
+  LatticeSetup<3> space;
+  space.periodic = true;
+  space.length = 0.08;  // barely more than twice the reach: two cells around
+  expect_complete(
+      test::load(test::make_scene_of(space), test::fill_lattice(test::make_scene_of(space), test::all_water, 0.3)));
+}
+
+TEST(Neighbours, AreCompleteForScatteredGrains) {
+  // Few particles far apart: four in a row of the space-filling order span the domain.
+  LatticeSetup<2> setup;
+  const auto scene = test::make_scene_of(setup);
+  ParticleSet all = test::fill_lattice(scene, test::all_water, 0.4);
+  ParticleSet few;
+  for (std::size_t i = 0; i < all.size(); i += 17) {
+    few.id.push_back(all.id[i]);
+    few.type.push_back(all.type[i]);
+    few.position.push_back(all.position[i]);
+    few.density.push_back(all.density[i]);
+    few.mass.push_back(all.mass[i]);
+  }
+  expect_complete(test::load(scene, few));
+}
+
+TEST(Neighbours, OneParticleHasItselfAlone) {
+  LatticeSetup<2> setup;
+  const auto scene = test::make_scene_of(setup);
+  ParticleSet one;
+  one.id = {42};
+  one.type = {ParticleType::water};
+  one.position = {Vec3(0.1, 0, 0.1)};
+  one.density = {1000};
+  one.mass = {0.1F};
+  const auto l = test::load(scene, one);
+  EXPECT_EQ(l.p.list_begin[1], list_padding);
+  EXPECT_EQ(l.p.list_entries[0], 0U);
+  EXPECT_EQ(l.p.list_entries[1], 1U);  // padding
+}
+
+TEST(Neighbours, ServeUntilTheSkinIsUsedUp) {
+  LatticeSetup<2> setup;
+  const auto scene = test::make_scene_of(setup);
+  auto l = test::load(scene, test::fill_lattice(scene, test::all_water, 0.2));
+  const double slack = (scene.list_reach - 2 * scene.smoothing_length) / 2;
+  std::int64_t rebuilt = 0;
+  l.p.position[5].x[0] += 0.9 * slack;
+  l.p.record[5].place[0] = scene.lattice.place(0, l.p.position[5].x[0]);
+  refresh_neighbours(l.on, l.p, scene, rebuilt);
+  EXPECT_EQ(rebuilt, 0);
+  l.p.position[5].x[0] += 0.2 * slack;
+  l.p.record[5].place[0] = scene.lattice.place(0, l.p.position[5].x[0]);
+  refresh_neighbours(l.on, l.p, scene, rebuilt);
+  EXPECT_EQ(rebuilt, 1);
+  expect_complete(l);
+}
+
+TEST(Neighbours, DropExcludedParticlesAndReportThem) {
+  LatticeSetup<2> setup;
+  const auto scene = test::make_scene_of(setup);
+  auto l = test::load(scene, test::fill_lattice(scene, floor_below));
+  const Index before = l.p.count;
+  const std::int64_t lost = l.p.id[3];
+  l.p.position[3].x[0] = -0.001;
+  drift(l.on, l.p, scene, 0.0);
+  std::int64_t rebuilt = 0;
+  const auto excluded = refresh_neighbours(l.on, l.p, scene, rebuilt);
+  ASSERT_EQ(excluded.size(), 1U);
+  EXPECT_EQ(excluded[0].id, lost);
+  EXPECT_EQ(l.p.count, before - 1);
+  EXPECT_EQ(std::count(l.p.id.begin(), l.p.id.end(), lost), 0);
+  expect_complete(l);
+}
+
+}  // namespace
+}  // namespace thalweg
