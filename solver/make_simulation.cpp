@@ -30,9 +30,9 @@ const std::array<Core, 3> openmp_cores = {{
 
 /// The core modules lie beside the program, or in ../lib/thalweg of an installed tree.
 Maker load(const std::string& name) {
-  // Read when the OpenMP library is loaded, which the core does. Threads that spin while they wait for one another are a
-  // tenth faster on an idle machine and ten times slower on a busy one (16.8 s against 1.4 s measured, two threads on two
-  // loaded cores); the user's own setting is kept.
+  // Read when the OpenMP library is loaded, which the core does. Threads that spin while they wait for one another are
+  // a tenth faster on an idle machine and ten times slower on a busy one (16.8 s against 1.4 s measured, two threads on
+  // two loaded cores); the user's own setting is kept.
   setenv("OMP_WAIT_POLICY", "passive", 0);
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const std::string file = "thalweg_core_" + name + ".so";
