@@ -13,6 +13,7 @@ namespace thalweg {
 namespace checkpoint_array {
 inline constexpr const char* excess = "Excess";
 inline constexpr const char* listed_at = "ListedAt";  // three integers kept as doubles, exact
+inline constexpr const char* viscous_acceleration = "ViscousAcceleration";
 }  // namespace checkpoint_array
 
 /// Brings particles to the device's arrays, fluid and walls mixed as they come; lists are made by the first step.
@@ -29,6 +30,7 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
   if (scene.has_sediment) p.sediment.assign(n, Sediment{});
   const auto exact_excess = from.scalars.find(checkpoint_array::excess);
   const auto strain = from.scalars.find("StrainRate");
+  const auto viscous = from.doubles.find(checkpoint_array::viscous_acceleration);
   Index fluid = 0;
   for (Index i = 0; i < n; ++i) {
     Record& r = p.record[i];
@@ -55,6 +57,11 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
     r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
     if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
     if (scene.has_sediment && strain != from.scalars.end()) p.sediment[i].strain_rate = strain->second[i];
+    if (scene.has_sediment && viscous != from.doubles.end()) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        p.sediment[i].viscous_acceleration[c] = static_cast<float>(viscous->second[3 * std::size_t{i} + c]);
+      }
+    }
   }
   p.fluid_count = fluid;
 }
@@ -122,6 +129,12 @@ class SimulationOn final : public Simulation {
     for (Index i = 0; i < p_.count; ++i) excess[i] = p_.record[i].excess;
     for (std::size_t i = 0; i < p_.listed_at.size(); ++i) {
       for (std::size_t c = 0; c < 3; ++c) listed[3 * i + c] = p_.listed_at[i].c[c];
+    }
+    if (scene_.has_sediment) {
+      auto& viscous = out.doubles[checkpoint_array::viscous_acceleration];
+      for (const Sediment& s : p_.sediment) {
+        for (const float v : s.viscous_acceleration) viscous.push_back(v);
+      }
     }
     return out;
   }

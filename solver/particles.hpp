@@ -23,12 +23,12 @@ struct Rates {
   float excess_rate;      // d(rho/rho0)/dt [1/s]
 };
 
-/// What is known of a sediment particle beside its record; index by particle, empty in a scene without sediment.
+/// What is known of a particle beside its record in a scene with sediment; index by particle, empty without sediment.
 struct Sediment {
-  float strain_rate;         // gdot = sqrt(2 D:D) [1/s]
-  float effective_pressure;  // [Pa]
-  float yield_stress;        // [Pa]
-  float gradient_rank;       // share of the neighbourhood that was there to take a gradient from [-]
+  float strain_rate;              // gdot = sqrt(2 D:D) [1/s]
+  float effective_pressure;       // [Pa]
+  float yield_stress;             // [Pa]
+  float viscous_acceleration[3];  // of the last implicit solve [m/s^2], where the next one starts
 };
 
 /// All particles on a device, in the order of the neighbour lists: fluid first, walls after, one zero-volume record

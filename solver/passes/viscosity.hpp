@@ -38,7 +38,8 @@ struct ViscousResult {
   bool converged = true;
 };
 
-/// Pair sweep: the coefficients dt k_ab, the diagonal and the first residual, -dt sum k_ab (u*_a - u*_b).
+/// Pair sweep: the coefficients dt k_ab, the diagonal and the residual of the velocities u in the records, which are
+/// the explicit ones u* and a first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b).
 template <int Dim, class Row>
 struct ViscousCoefficientSweep {
   static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
@@ -49,6 +50,7 @@ struct ViscousCoefficientSweep {
   };
 
   const float* mass;
+  const Sediment* sediment;
   float* coefficient;
   Row* rows;
   Scene<Dim> scene;
@@ -77,7 +79,10 @@ struct ViscousCoefficientSweep {
     Row& row = rows[i];
     row.diagonal = mass[i] + sum.coefficients;
     for (int c = 0; c < 3; ++c) row.increment[c] = row.residual[c] = row.product[c] = 0;
-    for (int c = 0; c < Dim; ++c) row.residual[axis<Dim>(c)] = -sum.exchange[c];
+    for (int c = 0; c < Dim; ++c) {
+      const int k = axis<Dim>(c);
+      row.residual[k] = -mass[i] * dt * sediment[i].viscous_acceleration[k] - sum.exchange[c];
+    }
   }
 };
 
@@ -159,18 +164,18 @@ HOST_DEVICE Norms norms_of(const Row& row) {
   return {squared / double(row.diagonal), squared};
 }
 
-/// Root of the summed squares of the momentum that gravity and the present accelerations give in a step [kg m/s], or,
-/// without gravity, `otherwise`.
+/// Root of the summed squares of the momentum that gravity and the present accelerations give in a step [kg m/s].
 template <int Dim, class Device>
-double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, float dt, double otherwise) {
+double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, float dt) {
   double g2 = 0;
   for (int k = 0; k < Dim; ++k) g2 += double(scene.gravity[k]) * double(scene.gravity[k]);
-  if (g2 == 0) return otherwise;
   const float* mass = p.mass.data();
   const Rates* rates = p.rates.data();
+  const Sediment* sediment = p.sediment.data();
   const double squares = sum_over_members<double>(on, p.list(), p.near_sediment(), [=](Index i) {
     const double m = mass[i];
-    return m * m * (g2 + dot3(rates[i].acceleration, rates[i].acceleration));
+    const float* viscous = sediment[i].viscous_acceleration;
+    return m * m * (g2 + dot3(rates[i].acceleration, rates[i].acceleration) + dot3(viscous, viscous));
   });
   return double(dt) * std::sqrt(squares);
 }
@@ -193,18 +198,24 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   Record* records = p.record.data();
   Row* rows = system.row.data();
   const float* mass = p.mass.data();
+  Sediment* sediment = p.sediment.data();
   using viscosity::Norms;
   const auto total = [&](const auto& of) { return viscosity::sum_over_members<double>(on, list, range, of); };
   const auto norms = [&](const auto& of) { return viscosity::sum_over_members<Norms>(on, list, range, of); };
   const auto each = [&](const auto& body) { viscosity::for_each_member(on, list, range, body); };
 
+  // What viscosity did in the last step is the best guess of what it does in this one.
+  each([=](Index i) {
+    for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
+  });
   on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
-                         ViscousCoefficientSweep<Dim, Row>{mass, system.coefficient.data(), rows, scene, dt});
+                         ViscousCoefficientSweep<Dim, Row>{mass, sediment, system.coefficient.data(), rows, scene, dt});
   Norms now = norms([=](Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
     return viscosity::norms_of(rows[i]);
   });
-  const double scale = viscosity::momentum_of_a_step(on, p, scene, dt, std::sqrt(now.squared));
+  double scale = viscosity::momentum_of_a_step(on, p, scene, dt);
+  if (scale == 0) scale = std::sqrt(now.squared);
 
   ViscousResult result;
   while (true) {
@@ -231,7 +242,10 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
     ++result.iterations;
   }
   each([=](Index i) {
-    for (int c = 0; c < 3; ++c) records[i].velocity[c] += rows[i].increment[c];
+    for (int c = 0; c < 3; ++c) {
+      records[i].velocity[c] += rows[i].increment[c];
+      sediment[i].viscous_acceleration[c] += rows[i].increment[c] / dt;
+    }
   });
   return result;
 }
