@@ -281,7 +281,7 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
     });
   }
   const Index total = on.exclusive_scan(counts, p.list_begin);
-  p.list_entries.resize(std::size_t{total} + 2 * list_prefetch);
+  p.list_entries.resize(std::size_t{total} + std::size_t{2} * list_prefetch);
   list = p.list();
 
   typename Device::template Buffer<std::uint8_t> with_sediment(p.clusters);

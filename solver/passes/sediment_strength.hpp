@@ -116,7 +116,7 @@ struct HeightAbovePass {
     std::int64_t above = 0;
     for (int level = levels - 1; level >= 0; --level) {
       const std::int64_t own = deposited[base + level];
-      height_above[base + level] = static_cast<float>(above + own / 2) * height_per_quantum;
+      height_above[base + level] = static_cast<float>(2 * above + own) * (0.5F * height_per_quantum);
       above += own;
     }
   }
