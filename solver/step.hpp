@@ -29,7 +29,7 @@ struct StepResult {
   std::vector<ExcludedParticle> excluded;
 };
 
-/// A step that has found the run diverged changes nothing and says so.
+/// A step that finds the run diverged stops where it is and says so; no particle has moved by then.
 inline bool has_diverged(const StepResult& result) {
   return !result.step.extremes.finite || result.step.extremes.excess > most_excess || !result.viscous.converged;
 }
@@ -65,6 +65,7 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
     timing.time(H::solve_viscosity,
                 [&] { result.viscous = solve_viscosity(on, p, scene, work.viscous, static_cast<float>(dt)); });
   }
+  if (has_diverged(result)) return result;
   timing.time(H::drift, [&] { drift(on, p, scene, dt); });
   timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
   timing.time(H::update_density, [&] { update_density(on, p, dt); });
