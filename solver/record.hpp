@@ -46,7 +46,7 @@ struct Lane {
   Vec<Dim, L> work;
 };
 
-/// The geometry of one pair, computed once for every body: r = x_a - x_b [m], r^2, and 1/(r^2 + eps).
+/// The geometry of one pair, computed once for every body: r = x_a - x_b [m] and r^2 [m^2].
 template <int Dim, class L>
 struct Separation {
   Vec<Dim, L> r;

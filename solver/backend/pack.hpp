@@ -92,10 +92,6 @@ inline Pack<W> lane_min(Pack<W> a, Pack<W> b) {
   return a.v < b.v ? a.v : b.v;
 }
 template <int W>
-inline Pack<W> lane_abs(Pack<W> a) {
-  return lane_max(a, -a);
-}
-template <int W>
 inline Pack<W> lane_reciprocal(Pack<W> a) {
   return Pack<W>(1.0F).v / a.v;
 }

@@ -13,7 +13,6 @@ HOST_DEVICE inline float lane_min(float a, float b) { return a < b ? a : b; }
 HOST_DEVICE inline float lane_select(bool condition, float yes, float no) { return condition ? yes : no; }
 HOST_DEVICE inline float lane_reciprocal(float a) { return 1.0F / a; }
 HOST_DEVICE inline float lane_sqrt(float a) { return sqrtf(a); }
-HOST_DEVICE inline float lane_abs(float a) { return fabsf(a); }
 
 /// One number, or as many as the lane holds, of an array with one number a pair.
 HOST_DEVICE inline void lane_store(float* to, float a) { *to = a; }
@@ -24,6 +23,5 @@ HOST_DEVICE inline double lane_min(double a, double b) { return a < b ? a : b; }
 HOST_DEVICE inline double lane_select(bool condition, double yes, double no) { return condition ? yes : no; }
 HOST_DEVICE inline double lane_reciprocal(double a) { return 1.0 / a; }
 HOST_DEVICE inline double lane_sqrt(double a) { return sqrt(a); }
-HOST_DEVICE inline double lane_abs(double a) { return fabs(a); }
 
 }  // namespace thalweg
