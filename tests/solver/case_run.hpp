@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <toml++/toml.h>
 #include <filesystem>
@@ -27,9 +28,11 @@ inline double limit_of(const std::string& case_name, const std::string& what) {
   return *limit;
 }
 
+/// The folder carries the process's number: CTest runs every test as a process of its own, several at a time.
 class CaseRun {
  public:
-  explicit CaseRun(const std::string& name) : folder_{std::filesystem::path(testing::TempDir()) / ("thalweg_" + name)} {
+  explicit CaseRun(const std::string& name)
+      : folder_{std::filesystem::path(testing::TempDir()) / ("thalweg_" + name + "_" + std::to_string(getpid()))} {
     std::filesystem::remove_all(folder_.root);
     std::filesystem::create_directories(folder_.root);
   }
