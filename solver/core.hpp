@@ -83,8 +83,6 @@ class SimulationOn final : public Simulation {
     report.dt = r.step.dt;
     report.limiter = r.step.limiter;
     report.largest_speed = std::sqrt(double(r.step.extremes.speed2));
-    report.largest_acceleration = std::sqrt(double(r.step.extremes.acceleration2));
-    report.largest_excess = double(r.step.extremes.excess);
     report.viscous = r.viscous;
     report.diverged = has_diverged(r);
     report.excluded = std::move(r.excluded);
@@ -206,8 +204,7 @@ class SimulationOn final : public Simulation {
           for (int k = 0; k < Dim; ++k) {
             const int axis_k = axis<Dim>(k);
             const auto d =
-                static_cast<std::int32_t>(static_cast<std::uint32_t>(p_.record[i].place[axis_k]) -
-                                          static_cast<std::uint32_t>(p_.record[list.entries[e]].place[axis_k]));
+                Lattice<Dim>::difference(p_.record[i].place[axis_k], p_.record[list.entries[e]].place[axis_k]);
             r2 += std::pow(double(d) * double(scene_.lattice.quantum[k]), 2);
           }
           if (r2 < support2) found += 1;

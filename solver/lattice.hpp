@@ -37,6 +37,11 @@ struct Lattice {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(quanta + 0.5)));
   }
 
+  /// a - b in quanta; around a period the shorter way.
+  HOST_DEVICE static std::int32_t difference(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+  }
+
   /// Which of `parts` equal parts of the range a place lies in.
   HOST_DEVICE static std::uint32_t part(std::int32_t place, std::uint64_t parts) {
     return static_cast<std::uint32_t>((static_cast<std::uint32_t>(place) * parts) >> 32);

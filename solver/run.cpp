@@ -102,6 +102,7 @@ class Run {
       }
       if (caught_signal != 0) return stop_early();
     }
+    write_checkpoint();
     finish();
     return Exit::done;
   }
@@ -138,7 +139,6 @@ class Run {
       if (seconds_now() - last_checkpoint_ > checkpoint_seconds) write_checkpoint();
       progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
     });
-    last_report_ = report;
   }
 
   void write_snapshot() {
@@ -182,9 +182,6 @@ class Run {
     progress_.clear();
     count_seconds();
     output_.finish(*simulation_, clock_, counts_);
-    if (caught_signal == 0 && !last_report_.diverged && clock_.time >= case_.output.end - time_resolution()) {
-      write_checkpoint();
-    }
     spdlog::info("t = {:.6g} s after {} steps, {:.1f} s, {:.3g} M particle-steps/s{}", clock_.time, clock_.step,
                  counts_.wall_seconds, counts_.particle_steps / std::max(1e-9, counts_.wall_seconds) * 1e-6,
                  counts_.excluded > 0 ? fmt::format(", {} particles excluded", counts_.excluded) : "");
@@ -213,7 +210,6 @@ class Run {
   double history_interval_;
   Progress progress_;
   RunCounts counts_;
-  StepReport last_report_;
   std::int64_t initial_fluid_ = 0;
   double next_history_ = 0;
   double wall_start_ = 0;

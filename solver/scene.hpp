@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/lattice.hpp"
+#include "solver/physics/equation_of_state.hpp"
 #include "solver/physics/kernel.hpp"
 #include "solver/record.hpp"
 
@@ -50,7 +51,7 @@ struct Scene {
   HOST_DEVICE float density_at_rest(float phase) const {
     return phase == phase_sediment ? sediment_density : water_density;
   }
-  HOST_DEVICE float stiffness(float phase) const { return density_at_rest(phase) * sound_speed * sound_speed / 7; }
+  HOST_DEVICE float stiffness(float phase) const { return tait_stiffness(density_at_rest(phase), sound_speed); }
   [[nodiscard]] float support() const { return static_cast<float>(2 * smoothing_length); }
 };
 

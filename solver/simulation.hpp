@@ -16,9 +16,7 @@ namespace thalweg {
 struct StepReport {
   double dt = 0;  // [s]
   Limiter limiter = Limiter::sound;
-  double largest_speed = 0;         // [m/s] before the step
-  double largest_acceleration = 0;  // [m/s^2] before the step
-  double largest_excess = 0;        // |rho/rho0 - 1| before the step
+  double largest_speed = 0;  // [m/s] before the step
   ViscousResult viscous;
   bool diverged = false;
   std::vector<ExcludedParticle> excluded;

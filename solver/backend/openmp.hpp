@@ -157,7 +157,7 @@ struct OpenMp {
   }
 
   /// The four particles of a cluster in the lanes of every group: the transpose of what read_lane does for neighbours.
-  template <int Dim, unsigned quads>
+  template <int Dim>
   static LaneOf<Dim> read_cluster(const Record* records, const std::array<Index, cluster_size>& member) {
     LaneOf<Dim> lane{};
     const auto gather = [&](auto field) {
@@ -188,7 +188,7 @@ struct OpenMp {
     const Index last = list.last(cluster);
     std::array<Index, cluster_size> member{};
     for (Index l = 0; l < cluster_size; ++l) member[l] = first + l < last ? first + l : last - 1;
-    const LaneOf<Dim> a = read_cluster<Dim, Body::quads>(records, member);
+    const LaneOf<Dim> a = read_cluster<Dim>(records, member);
 
     typename Body::template Sum<L> sum{};
     const Index end = list.begin[cluster + 1];

@@ -75,9 +75,8 @@ struct ClusterSearch {
     float r2 = 0;
     for (int k = 0; k < Dim; ++k) {
       const int c = axis<Dim>(k);
-      const auto difference = static_cast<std::int32_t>(static_cast<std::uint32_t>(records[a].place[c]) -
-                                                        static_cast<std::uint32_t>(records[b].place[c]));
-      const float d = static_cast<float>(difference) * lattice.quantum[k];
+      const float d =
+          static_cast<float>(Lattice<Dim>::difference(records[a].place[c], records[b].place[c])) * lattice.quantum[k];
       r2 += d * d;
     }
     return r2 <= reach2;
@@ -328,9 +327,8 @@ float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& sc
         float d2 = 0;
         for (int k = 0; k < Dim; ++k) {
           const int c = axis<Dim>(k);
-          const float d = static_cast<float>(static_cast<std::int32_t>(static_cast<std::uint32_t>(records[i].place[c]) -
-                                                                       static_cast<std::uint32_t>(listed[i].c[c]))) *
-                          quantum[k];
+          const float d =
+              static_cast<float>(Lattice<Dim>::difference(records[i].place[c], listed[i].c[c])) * quantum[k];
           d2 += d * d;
         }
         return d2;
