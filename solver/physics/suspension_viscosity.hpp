@@ -13,11 +13,11 @@ namespace thalweg {
 /// 1.305, 1.767, 2.504. For dilute to moderate suspensions; C is taken within [0, 0.6], below the packing
 /// at which grains touch and the formula's pole at 64/39 has long lost its meaning.
 template <class Real>
-HOST_DEVICE inline Real suspension_viscosity(Real water_viscosity, Real volume_share) {
+HOST_DEVICE inline Real suspension_viscosity(Real water_viscosity, Real volume_share, Real einstein = Real(2.5)) {
   using std::exp;
   const Real above = volume_share > 0 ? volume_share : Real(0);
   const Real C = above < Real(0.6) ? above : Real(0.6);
-  return water_viscosity * exp(Real(2.5) * C / (1 - Real(39.0 / 64.0) * C));
+  return water_viscosity * exp(einstein * C / (1 - Real(39.0 / 64.0) * C));
 }
 
 }  // namespace thalweg
