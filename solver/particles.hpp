@@ -38,7 +38,7 @@ struct Sediment {
 struct BedSurface {
   float fill;               // sum over sediment of V W, 1 inside a bed [-]
   float concentration;      // share of the sediment in the fluid volume within the support [-]
-  float normal[3];          // out of the bed, unit; 0 where there is no gradient
+  float normal[3];          // out of the bed, unit
   float water_share;        // sum over water of V W [-]
   float water_velocity[3];  // mean of the water in reach [m/s]
   float water_height;       // of that water over the surface, along the normal [m]

@@ -83,10 +83,12 @@ struct BedSurfaceSweep {
     float length = 0;
     for (int k = 0; k < Dim; ++k) length += sum.gradient[k] * sum.gradient[k];
     length = sqrtf(length);
+    // A grain by itself has no surface: its normal is upwards.
+    const bool has_surface = length * static_cast<float>(scene.smoothing_length) > 0.01F;
     float height = 0;
     for (int k = 0; k < Dim; ++k) {
       const int c = axis<Dim>(k);
-      s.normal[c] = length > 0 ? -sum.gradient[k] / length : 0;
+      s.normal[c] = has_surface ? -sum.gradient[k] / length : -scene.erosion.down[k];
       s.water_velocity[c] = sum.water_share > 0 ? sum.water_velocity[k] / sum.water_share : 0;
       if (sum.water_share > 0) height -= s.normal[c] * sum.water_offset[k] / sum.water_share;
       const float of_others = sum.deposit_velocity[k] - (deposit ? own * r.velocity[c] : 0);

@@ -51,19 +51,21 @@ struct CalmPass {
 
 /// Whether a calm particle may stop: all sediment in the reach of its cluster is calm or rests, and there is a wall or
 /// something at rest that holds it.
+template <int Dim>
 struct MayStop {
   const Record* records;
   const Sediment* sediment;
   ClusterList list;
-  float time;
+  Scene<Dim> scene;
 
   HOST_DEVICE bool operator()(Index i) const {
+    const float time = scene.rest.time;
     if (records[i].phase != phase_sediment || is_resting(records[i]) || sediment[i].calm < time) return false;
     const Index cluster = i / cluster_size;
     bool held = false;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count) continue;
+      if (j == list.count || !in_reach(i, j)) continue;
       const Record& b = records[j];
       if (b.phase == phase_wall || is_resting(b)) {
         held = true;
@@ -72,6 +74,16 @@ struct MayStop {
       }
     }
     return held;
+  }
+
+  /// A cluster's list is that of four particles, which may lie apart.
+  HOST_DEVICE bool in_reach(Index i, Index j) const {
+    float r2 = 0;
+    for (int k = 0; k < Dim; ++k) {
+      const float d = scene.distance(k, records[i].place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
+      r2 += d * d;
+    }
+    return r2 < scene.support() * scene.support();
   }
 };
 
@@ -127,7 +139,7 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, doub
 
   p.stopping.resize(p.fluid_count);
   std::uint8_t* stopping = p.stopping.data();
-  const rest::MayStop may_stop{records, sediment, p.list(), scene.rest.time};
+  const rest::MayStop<Dim> may_stop{records, sediment, p.list(), scene};
   on.for_each(p.fluid_count, [=](Index i) { stopping[i] = may_stop(i) ? 1 : 0; });
   Rates* rates = p.rates.data();
   const Changes stopped = on.reduce(
