@@ -14,6 +14,7 @@ namespace checkpoint_array {
 inline constexpr const char* excess = "Excess";
 inline constexpr const char* listed_at = "ListedAt";  // three integers kept as doubles, exact
 inline constexpr const char* viscous_acceleration = "ViscousAcceleration";
+inline constexpr const char* lode_sine = "LodeSine";
 }  // namespace checkpoint_array
 
 /// Brings particles to the device's arrays, fluid and walls mixed as they come; lists are made by the first step.
@@ -30,6 +31,8 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
   if (scene.has_sediment) p.sediment.assign(n, Sediment{});
   const auto exact_excess = from.scalars.find(checkpoint_array::excess);
   const auto strain = from.scalars.find("StrainRate");
+  const auto lode = from.scalars.find(checkpoint_array::lode_sine);
+  const auto effective = from.scalars.find("EffectivePressure");
   const auto viscous = from.doubles.find(checkpoint_array::viscous_acceleration);
   Index fluid = 0;
   for (Index i = 0; i < n; ++i) {
@@ -46,6 +49,9 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
       r.place[c] = scene.lattice.place(k, p.position[i].x[c]);
     }
     if (!from.pressure.empty()) r.pressure = from.pressure[i];
+    if (scene.has_sediment && effective != from.scalars.end()) {
+      p.sediment[i].effective_pressure = effective->second[i];
+    }
     if (r.phase == phase_wall) {
       r.volume = static_cast<float>(std::pow(scene.spacing, Dim));
       continue;
@@ -57,6 +63,7 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
     r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
     if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
     if (scene.has_sediment && strain != from.scalars.end()) p.sediment[i].strain_rate = strain->second[i];
+    if (scene.has_sediment && lode != from.scalars.end()) p.sediment[i].lode_sine = lode->second[i];
     if (scene.has_sediment && viscous != from.doubles.end()) {
       for (std::size_t c = 0; c < 3; ++c) {
         p.sediment[i].viscous_acceleration[c] = static_cast<float>(viscous->second[3 * std::size_t{i} + c]);
@@ -84,6 +91,7 @@ class SimulationOn final : public Simulation {
     report.limiter = r.step.limiter;
     report.largest_speed = std::sqrt(double(r.step.extremes.speed2));
     report.viscous = r.viscous;
+    report.pressure_sweeps = r.pressure_sweeps;
     report.diverged = has_diverged(r);
     report.excluded = std::move(r.excluded);
     return report;
@@ -132,6 +140,10 @@ class SimulationOn final : public Simulation {
       auto& viscous = out.doubles[checkpoint_array::viscous_acceleration];
       for (const Sediment& s : p_.sediment) {
         for (const float v : s.viscous_acceleration) viscous.push_back(v);
+      }
+      if (Dim == 3 && scene_.sediment.yield == YieldCriterion::mohr_coulomb) {
+        auto& lode = out.scalars[checkpoint_array::lode_sine];
+        for (const Sediment& s : p_.sediment) lode.push_back(s.lode_sine);
       }
     }
     return out;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* history_header =
     "time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_energy [J],internal_energy [J],water_mass [kg],"
-    "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-]";
+    "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-],viscous_retries [-],"
+    "viscosity_capped [-],pressure_sweeps [-]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -83,10 +84,11 @@ void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
 }
 
 void RunOutput::history(const Totals& t, const StepReport& report, const RunClock& clock, const RunCounts& counts) {
-  fmt::print(history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g}\n", clock.time,
-             clock.step, report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy,
+  fmt::print(history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g},{},{},{}\n",
+             clock.time, clock.step, report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy,
              t.internal_energy, t.water_mass, t.sediment_mass, counts.excluded, report.largest_speed,
-             report.viscous.iterations, report.viscous.residual);
+             report.viscous.iterations, report.viscous.residual, counts.viscous_retries, report.viscous.capped,
+             report.pressure_sweeps);
   flush_row(history_, folder_.history());
 }
 
@@ -149,6 +151,8 @@ void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunC
         "1/s");
     row("viscous_iterations_per_step", fmt::format("{:.2f}", static_cast<double>(counts.viscous_iterations) / steps),
         "-");
+    row("viscous_retries", counts.viscous_retries, "-");
+    row("pressure_sweeps_per_step", fmt::format("{:.2f}", static_cast<double>(counts.pressure_sweeps) / steps), "-");
     row("list_rebuilds", facts.list_rebuilds, "-");
     row("neighbours_mean", fmt::format("{:.1f}", facts.neighbours_mean), "-");
     row("list_entries_per_particle", fmt::format("{:.1f}", facts.list_entries_per_particle), "-");

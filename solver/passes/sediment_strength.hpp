@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "solver/particles.hpp"
-#include "solver/physics/herschel_bulkley.hpp"
+#include "solver/passes/laplace_pressure.hpp"
+#include "solver/passes/sediment_law.hpp"
 
-// The sediment's strength: effective pressure = submerged weight of the sediment above, yield stress by Drucker-Prager,
-// apparent viscosity by Herschel-Bulkley-Papanastasiou. The dynamic pressure of the water does not enter: it would turn
-// wave impact into strength (docs/theory.md).
+// The sediment's strength: effective pressure = submerged weight of the sediment above (or what the scene has chosen),
+// yield stress, apparent viscosity. The dynamic pressure of the water does not enter: it would turn wave impact into
+// strength (docs/theory.md).
 namespace thalweg {
 
 /// Volume of sediment above each node of a lattice of columns one spacing apart. Volumes are summed as integers, so
@@ -122,28 +122,22 @@ struct HeightAbovePass {
   }
 };
 
-/// Particle pass: effective pressure, yield stress, viscosity. The height above is averaged over the wetted columns
-/// within a support to either side, so that single particles at the surface do not make steps of strength.
+/// Particle pass: effective pressure from the height above, averaged over the wetted columns within a support to either
+/// side, so that single particles at the surface do not make steps of strength.
 template <int Dim>
-struct StrengthPass {
-  Record* records;
+struct ColumnPressurePass {
+  const Record* records;
   const Position* positions;
   Sediment* sediment;
   ColumnLattice<Dim> columns;
   const float* height_above;
   const std::uint8_t* wetted;
-  Scene<Dim> scene;
-  float reach;  // of the average, in spacings
+  float submerged_weight;  // [N/m^3]
+  float reach;             // of the average, in spacings
 
   HOST_DEVICE void operator()(Index i) const {
-    Record& r = records[i];
-    if (r.phase != phase_sediment) return;
-    const SedimentScene& law = scene.sediment;
-    Sediment& s = sediment[i];
-    s.effective_pressure = law.submerged_weight * mean_height_above(i);
-    s.yield_stress = law.yield_coefficient * s.effective_pressure + law.yield_cohesion;
-    r.viscosity =
-        herschel_bulkley_viscosity(s.strain_rate, s.yield_stress, law.regularisation, law.consistency, law.flow_index);
+    if (records[i].phase != phase_sediment) return;
+    sediment[i].effective_pressure = effective_pressure_of_column(submerged_weight, mean_height_above(i));
   }
 
   HOST_DEVICE float mean_height_above(Index i) const {
@@ -181,8 +175,23 @@ struct StrengthPass {
   }
 };
 
+/// Particle pass: yield stress and viscosity from effective pressure and rate of strain.
+struct StrengthPass {
+  Record* records;
+  Sediment* sediment;
+  SedimentScene law;
+
+  HOST_DEVICE void operator()(Index i) const {
+    Record& r = records[i];
+    if (r.phase != phase_sediment) return;
+    Sediment& s = sediment[i];
+    s.yield_stress = yield_stress_of(law, s);
+    r.viscosity = apparent_viscosity_of(law, s);
+  }
+};
+
 template <int Dim, class Device>
-void update_sediment_strength(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ColumnWeight<Device>& weight) {
+void weigh_columns(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ColumnWeight<Device>& weight) {
   const ColumnLattice<Dim> columns(scene);
   const std::size_t nodes = static_cast<std::size_t>(columns.columns()) * static_cast<std::size_t>(columns.levels());
   weight.deposited.resize(nodes);
@@ -203,8 +212,43 @@ void update_sediment_strength(Device& on, Particles<Device>& p, const Scene<Dim>
               HeightAbovePass<Dim>{columns, deposited, weight.height_above.data(),
                                    static_cast<float>(1 / (columns.quanta_per_volume * column_area))});
   const auto reach = static_cast<float>(2 * scene.smoothing_length / scene.spacing);
-  on.for_each(p.fluid_count, StrengthPass<Dim>{p.record.data(), p.position.data(), p.sediment.data(), columns,
-                                               weight.height_above.data(), wetted, scene, reach});
+  on.for_each(p.fluid_count,
+              ColumnPressurePass<Dim>{p.record.data(), p.position.data(), p.sediment.data(), columns,
+                                      weight.height_above.data(), wetted, scene.sediment.submerged_weight, reach});
+}
+
+/// Particle pass over the bed: effective pressure as a share of the equation of state's.
+template <int Dim, class Device>
+void share_pressure_of_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  const Record* records = p.record.data();
+  Sediment* sediment = p.sediment.data();
+  const float pore_stiffness = scene.sediment.pore_stiffness;
+  const float bed_stiffness = scene.stiffness(phase_sediment);
+  on.for_each(p.fluid_count, [=](Index i) {
+    const Record& r = records[i];
+    if (r.phase != phase_sediment) return;
+    sediment[i].effective_pressure = effective_pressure_of_state(r.pressure, pore_stiffness, bed_stiffness);
+  });
+}
+
+/// Effective pressure, yield stress and viscosity of all sediment. Returns the sweeps that Laplace's equation took.
+template <int Dim, class Device>
+int update_sediment_strength(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ColumnWeight<Device>& weight) {
+  int sweeps = 0;
+  switch (scene.sediment.effective_pressure) {
+    case EffectivePressure::column:
+      weigh_columns(on, p, scene, weight);
+      break;
+    case EffectivePressure::laplace:
+      if (largest_effective_pressure(on, p) == 0) weigh_columns(on, p, scene, weight);
+      sweeps = solve_laplace_pressure(on, p, scene);
+      break;
+    case EffectivePressure::eos:
+      share_pressure_of_state(on, p, scene);
+      break;
+  }
+  on.for_each(p.fluid_count, StrengthPass{p.record.data(), p.sediment.data(), scene.sediment});
+  return sweeps;
 }
 
 }  // namespace thalweg
