@@ -10,7 +10,11 @@
 #include "common/particles.hpp"
 #include "solver/physics/bed_shear.hpp"
 #include "solver/physics/drucker_prager.hpp"
+#include "solver/physics/effective_pressure.hpp"
+#include "solver/physics/mohr_coulomb.hpp"
+#include "solver/physics/mu_of_i.hpp"
 #include "solver/physics/sediment_parameters.hpp"
+#include "solver/physics/viscosity_treatment.hpp"
 
 /// What a case file can say. Every table is a struct whose describe() declares each key once: name, member, unit,
 /// admissible range, one sentence; the member's initial value is the default (`required` where there is none). Parser,
@@ -170,6 +174,26 @@ inline constexpr std::array<Choice<BedShear>, 3> choices(BedShear) {
        {BedShear::nearest, "nearest", "logarithmic law, from the water particle nearest to the grain"},
        {BedShear::paper, "paper", "rho (kappa du/2)^2 from the summed velocity difference, the paper's (20), (21)"}}};
 }
+inline constexpr std::array<Choice<EffectivePressure>, 3> choices(EffectivePressure) {
+  return {{{EffectivePressure::column, "column", "weight under water of the sediment above, column by column"},
+           {EffectivePressure::laplace, "laplace", "Laplace's equation in the bed, one layer's weight at its surface"},
+           {EffectivePressure::eos, "eos",
+            "(1 - pore density / bed density) of the pressure: strength at the very surface; for comparison"}}};
+}
+inline constexpr std::array<Choice<YieldCriterion>, 2> choices(YieldCriterion) {
+  return {{{YieldCriterion::drucker_prager, "drucker-prager", "a cone; yield_fit says which"},
+           {YieldCriterion::mohr_coulomb, "mohr-coulomb", "Mohr-Coulomb by the Lode angle of the rate of strain"}}};
+}
+inline constexpr std::array<Choice<Rheology>, 2> choices(Rheology) {
+  return {{{Rheology::herschel_bulkley, "herschel-bulkley", "yield stress, consistency and flow index"},
+           {Rheology::mu_of_i, "mu-of-i", "friction that grows with the inertial number; consistency of the pores"}}};
+}
+inline constexpr std::array<Choice<ViscosityTreatment>, 3> choices(ViscosityTreatment) {
+  return {{{ViscosityTreatment::implicit, "implicit", "solved for at the end of the step"},
+           {ViscosityTreatment::explicit_, "explicit", "explicit, with steps 50 to 400 times shorter"},
+           {ViscosityTreatment::capped, "capped",
+            "explicit, the viscosity cut to what the acoustic step can take: the bed creeps"}}};
+}
 inline constexpr std::array<Choice<YieldFit>, 6> choices(YieldFit) {
   return {{{YieldFit::sine, "sin", "sin(phi): plane strain without dilation, for flumes and 2-D"},
            {YieldFit::coulomb, "coulomb", "tan(phi): slip along the shear plane; a slope stands up to phi"},
@@ -183,10 +207,18 @@ inline constexpr std::array<Choice<YieldFit>, 6> choices(YieldFit) {
 struct Model {
   SedimentModel sediment = SedimentModel::off;
   Implementation implementation = Implementation::consistent;
+  EffectivePressure effective_pressure = EffectivePressure::column;
+  YieldCriterion yield = YieldCriterion::drucker_prager;
   YieldFit yield_fit = YieldFit::sine;
+  Rheology rheology = Rheology::herschel_bulkley;
   BedShear bed_shear = BedShear::log_law;
   bool rest = true;
   WallFriction wall_friction = WallFriction::none;
+
+  /// How the friction angle becomes the coefficient in plane strain; Mohr-Coulomb has one answer.
+  [[nodiscard]] YieldFit plane_strain_fit() const {
+    return yield == YieldCriterion::mohr_coulomb ? YieldFit::sine : yield_fit;
+  }
 
   template <class V>
   void describe(V& v) {
@@ -197,8 +229,11 @@ struct Model {
         "and how states change.");
     v.choice("wall_friction", wall_friction,
              "What water feels of the walls it runs along; sediment always sticks to walls.");
+    v.choice("effective_pressure", effective_pressure, "What presses the sediment's grains together.");
+    v.choice("yield", yield, "When the sediment yields.");
     v.choice("yield_fit", yield_fit,
              "How the friction angle becomes the pressure coefficient of the Drucker-Prager yield stress.");
+    v.choice("rheology", rheology, "How yielded sediment flows.");
     v.choice("bed_shear", bed_shear, "How the water's shear stress on the bed is found (three-state).");
     v.flag("rest", rest,
            "Sediment that has been below yield for a while, with nothing moving about it, stops exactly and costs next "
@@ -214,9 +249,11 @@ struct Numerics {
   double cfl = 0.35;                   // [-]
   double density_diffusion = 0.1;      // [-]
   double artificial_viscosity = 0.02;  // [-]
-  double viscous_tolerance = 1e-3;     // [-]
-  double list_skin = 0.1;              // [-]
-  double excluded_limit = 1e-3;        // [-]
+  ViscosityTreatment viscosity = ViscosityTreatment::implicit;
+  double viscous_tolerance = 1e-3;  // [-]
+  int viscous_iterations = 1000;
+  double list_skin = 0.1;        // [-]
+  double excluded_limit = 1e-3;  // [-]
 
   template <class V>
   void describe(V& v) {
@@ -233,8 +270,11 @@ struct Numerics {
     v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
     v.number("artificial_viscosity", artificial_viscosity, 0, 1,
              "Alpha of the artificial viscosity between approaching particles of one phase.");
+    v.choice("viscosity", viscosity, "How the viscosity of the sediment is advanced in time.");
     v.number("viscous_tolerance", viscous_tolerance, 1e-8, 0.1,
              "Residual at which the implicit viscosity stops, over the momentum one step of gravity gives.");
+    v.integer("viscous_iterations", viscous_iterations, 1, 1000000,
+              "Iterations after which the implicit viscosity tries again with less, and in the end stops the run.");
     v.number("list_skin", list_skin, 0, 1,
              "Reach of the neighbour list beyond the kernel's support, over the support.");
     v.number("excluded_limit", excluded_limit, 0, 1,

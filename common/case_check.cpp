@@ -214,6 +214,17 @@ class CaseCheck {
       reject("model.sediment", "there is a sediment shape, and model.sediment is off",
              "write sediment = \"viscoplastic\" in [model]");
     }
+    if (case_.model.yield == YieldCriterion::mohr_coulomb && origins_.has("model.yield_fit") &&
+        !origins_.has("resolved")) {
+      reject("model.yield_fit", "model.yield_fit means nothing with yield = \"mohr-coulomb\"", "remove it");
+    }
+    for (const auto& [name, sediment] : case_.sediments) {
+      if (case_.model.rheology == Rheology::mu_of_i && sediment.dynamic_friction_angle <= sediment.friction_angle) {
+        const std::string key = fmt::format("materials.{}.dynamic_friction_angle", name);
+        reject(key, fmt::format("{} is not above friction_angle, and rheology is \"mu-of-i\"", key),
+               "give the friction angle of a fast flow, some 12 deg above");
+      }
+    }
     if (!case_.has_sediment() && case_.model.sediment != SedimentModel::off) {
       reject("model.sediment", "model.sediment is on, and no shape has the role sediment",
              "add a sediment shape or write sediment = \"off\"");

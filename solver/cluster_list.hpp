@@ -8,6 +8,8 @@ namespace thalweg {
 inline constexpr Index cluster_size = 4;
 /// Lists are padded to a multiple of this with a record of zero volume, so that a sweep needs no remainder loop.
 inline constexpr Index list_padding = 4;
+/// How far a filter may read beyond the particles it is asked about (the widest pack).
+inline constexpr Index filter_overrun = 16;
 /// How far ahead of a sweep neighbours are prefetched; the entries end with as many spare ones.
 inline constexpr Index list_prefetch = 12;
 

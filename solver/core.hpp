@@ -103,6 +103,7 @@ class SimulationOn final : public Simulation {
     report.limiter = r.step.limiter;
     report.largest_speed = std::sqrt(double(r.step.extremes.speed2));
     report.viscous = r.viscous;
+    report.pressure_sweeps = r.pressure_sweeps;
     report.diverged = has_diverged(r);
     report.excluded = std::move(r.excluded);
     return report;

@@ -60,9 +60,10 @@ std::string diagnose(const StepReport& report, const ParticleSet& particles, con
   const std::string when = fmt::format("run failed at t = {:.6g} s, step {}: ", clock.time, clock.step);
   if (!report.viscous.converged) {
     return when + fmt::format(
-                      "the implicit viscosity did not converge (residual {:.2g} after {} iterations, {:.2g} wanted); "
-                      "lower the sediment's consistency or regularisation, or raise numerics.viscous_tolerance",
-                      report.viscous.residual, report.viscous.iterations, of.numerics.viscous_tolerance);
+                      "the implicit viscosity did not converge, not even with the step halved to {:.2g} s (residual "
+                      "{:.2g} after {} iterations in all, {:.2g} wanted); lower the sediment's consistency or "
+                      "regularisation, or raise numerics.viscous_iterations or numerics.viscous_tolerance",
+                      report.dt, report.viscous.residual, report.viscous.iterations, of.numerics.viscous_tolerance);
   }
   const double sediment_density = of.has_sediment() ? of.sediment().bed_density() : of.water.density;
   const std::size_t i = worst_particle(particles, of.water.density, sediment_density);

@@ -20,7 +20,7 @@ Vec<Dim, double> in_dimension(const Vec3& v) {
   return out;
 }
 
-SedimentScene make_sediment(const Case& from) {
+SedimentScene make_sediment(const Case& from, double sound_speed) {
   const SedimentParameters& s = from.sediment();
   if (from.domain.gravity.x() != 0 || from.domain.gravity.y() != 0 || from.domain.gravity.z() > 0) {
     throw InputError(from.file.string() +
@@ -28,14 +28,23 @@ SedimentScene make_sediment(const Case& from) {
                      "above in z; let gravity point along -z or switch model.sediment off");
   }
   SedimentScene out;
-  const YieldFit fit = from.model.yield_fit;
+  const YieldFit fit = from.model.plane_strain_fit();
+  out.yield = from.model.yield;
+  out.rheology = from.model.rheology;
+  out.effective_pressure = from.model.effective_pressure;
   out.yield_coefficient = static_cast<float>(yield_pressure_coefficient(s.friction_angle, fit));
   out.yield_cohesion = static_cast<float>(yield_cohesion_term(s.cohesion, s.friction_angle, fit));
   out.friction_tangent = static_cast<float>(std::tan(s.friction_angle));
   out.regularisation = static_cast<float>(s.regularisation);
   out.consistency = static_cast<float>(s.consistency);
   out.flow_index = static_cast<float>(s.flow_index);
-  out.submerged_weight = static_cast<float>((s.bed_density() - s.pore_density) * -from.domain.gravity.z());
+  const double submerged_density = s.bed_density() - s.pore_density;
+  out.submerged_weight = static_cast<float>(submerged_density * -from.domain.gravity.z());
+  out.pore_stiffness = static_cast<float>(tait_stiffness(s.pore_density, sound_speed));
+  out.laplace_tolerance = static_cast<float>(1e-4 * submerged_density * sound_speed * sound_speed / 100);
+  out.dynamic_coefficient = static_cast<float>(yield_pressure_coefficient(s.dynamic_friction_angle, fit));
+  out.inertia = {static_cast<float>(s.inertial_number), static_cast<float>(s.grain_diameter),
+                 static_cast<float>(s.grain_density)};
   return out;
 }
 
@@ -163,10 +172,12 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.diffusion = static_cast<float>(2 * n.density_diffusion * h * c);
   s.artificial_viscosity = static_cast<float>(n.artificial_viscosity * c * h);
   s.cfl = n.cfl;
+  s.viscosity = n.viscosity;
   s.viscous_tolerance = n.viscous_tolerance;
+  s.viscous_iterations = n.viscous_iterations;
   s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
   if (s.has_sediment) {
-    s.sediment = make_sediment(from);
+    s.sediment = make_sediment(from, c);
     s.sediment_density = static_cast<float>(from.sediment().bed_density());
     s.has_states = from.model.sediment == SedimentModel::three_state;
     if (s.has_states) s.erosion = make_erosion<Dim>(from);

@@ -26,6 +26,7 @@ struct Rates {
 /// What is known of a particle beside its record in a scene with sediment; index by particle, empty without sediment.
 struct Sediment {
   float strain_rate;              // gdot = sqrt(2 D:D) [1/s]
+  float lode_sine;                // of three Lode angles of the rate of strain [-]; 0 in the plane
   float effective_pressure;       // [Pa]
   float yield_stress;             // [Pa]
   float bed_slope;                // tangent of the slope of the bed's surface above or below [-]

@@ -68,6 +68,20 @@ ParticleSet read_start(const RunOptions& options, const Case& c) {
   return particles;
 }
 
+/// Says which choices of the sediment's model are not the default ones, and what they are worth.
+void announce_choices(const Case& c) {
+  const auto announce = [](const char* key, const auto& choice, const auto& usual) {
+    if (choice == usual) return;
+    for (const auto& word : choices(choice)) {
+      if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
+    }
+  };
+  announce("model.effective_pressure", c.model.effective_pressure, Model{}.effective_pressure);
+  announce("model.yield", c.model.yield, Model{}.yield);
+  announce("model.rheology", c.model.rheology, Model{}.rheology);
+  announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
+}
+
 /// The run itself: steps, and what is due between them.
 class Run {
  public:
@@ -85,6 +99,7 @@ class Run {
                  facts.device);
     counts_.excluded = output_.excluded_before();
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
+    if (c.has_sediment()) announce_choices(c);
   }
 
   Exit to_the_end() {
@@ -133,6 +148,8 @@ class Run {
     ++counts_.steps;
     counts_.particle_steps += static_cast<double>(initial_fluid_ - counts_.excluded);
     counts_.viscous_iterations += report.viscous.iterations;
+    counts_.pressure_sweeps += report.pressure_sweeps;
+    warn_of_fallbacks(report);
     simulation_->timing().time(Heading::output, [&] {
       if (clock_.step == 1 || clock_.time >= next_history_) {
         output_.history(simulation_->totals(), report, clock_, counts_);
@@ -142,6 +159,31 @@ class Run {
       if (seconds_now() - last_checkpoint_ > checkpoint_seconds) write_checkpoint();
       progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
     });
+  }
+
+  /// Says the first time that a step needed more than the usual; history.csv counts all of them.
+  void warn_of_fallbacks(const StepReport& report) {
+    if (report.viscous.retries > 0 && counts_.viscous_retries == 0) {
+      spdlog::warn(
+          "the implicit viscosity did not converge in {} iterations at t = {:.4g} s; solved again {}, residual {:.2g}. "
+          "history.csv counts such solves in viscous_retries",
+          case_.numerics.viscous_iterations, clock_.time,
+          report.viscous.retries == 1 ? std::string("without a guess")
+                                      : fmt::format("with a step of {:.3g} s", report.dt),
+          report.viscous.residual);
+    }
+    counts_.viscous_retries += report.viscous.retries;
+    if (report.viscous.capped > 0 && !told_of_cap_) {
+      spdlog::warn("the viscosity of {} particles is cut to what a step of {:.3g} s can take: the bed creeps; {}",
+                   report.viscous.capped, report.dt, "history.csv counts them in viscosity_capped");
+      told_of_cap_ = true;
+    }
+    if (report.pressure_sweeps == laplace::most_sweeps && !told_of_sweeps_) {
+      spdlog::warn(
+          "the effective pressure did not settle in {} sweeps at t = {:.4g} s; the next step goes on from there",
+          report.pressure_sweeps, clock_.time);
+      told_of_sweeps_ = true;
+    }
   }
 
   void write_snapshot() {
@@ -216,6 +258,8 @@ class Run {
   Progress progress_;
   RunCounts counts_;
   std::int64_t initial_fluid_ = 0;
+  bool told_of_cap_ = false;
+  bool told_of_sweeps_ = false;
   double next_history_ = 0;
   double wall_start_ = 0;
   double cpu_start_ = 0;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* history_header =
     "time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_energy [J],internal_energy [J],water_mass [kg],"
-    "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-],"
-    "resting [-],bed_load [-],suspended [-]";
+    "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-],viscous_retries [-],"
+    "viscosity_capped [-],pressure_sweeps [-],resting [-],bed_load [-],suspended [-]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -89,11 +89,12 @@ void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
 void RunOutput::history(const Totals& t, const StepReport& report, const RunClock& clock, const RunCounts& counts) {
   const double of_sediment = static_cast<double>(std::max<std::int64_t>(1, t.sediment));
   const auto share = [&](std::int64_t n) { return static_cast<double>(n) / of_sediment; };
-  fmt::print(
-      history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g},{:.4g},{:.4g},{:.4g}\n",
-      clock.time, clock.step, report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy,
-      t.internal_energy, t.water_mass, t.sediment_mass, counts.excluded, report.largest_speed,
-      report.viscous.iterations, report.viscous.residual, share(t.resting), share(t.bed_load), share(t.suspended));
+  fmt::print(history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g},{},{},{},",
+             clock.time, clock.step, report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy,
+             t.internal_energy, t.water_mass, t.sediment_mass, counts.excluded, report.largest_speed,
+             report.viscous.iterations, report.viscous.residual, counts.viscous_retries, report.viscous.capped,
+             report.pressure_sweeps);
+  fmt::print(history_, "{:.4g},{:.4g},{:.4g}\n", share(t.resting), share(t.bed_load), share(t.suspended));
   flush_row(history_, folder_.history());
 }
 
@@ -156,6 +157,8 @@ void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunC
         "1/s");
     row("viscous_iterations_per_step", fmt::format("{:.2f}", static_cast<double>(counts.viscous_iterations) / steps),
         "-");
+    row("viscous_retries", counts.viscous_retries, "-");
+    row("pressure_sweeps_per_step", fmt::format("{:.2f}", static_cast<double>(counts.pressure_sweeps) / steps), "-");
     row("list_rebuilds", facts.list_rebuilds, "-");
     row("neighbours_mean", fmt::format("{:.1f}", facts.neighbours_mean), "-");
     row("list_entries_per_particle", fmt::format("{:.1f}", facts.list_entries_per_particle), "-");

@@ -21,6 +21,8 @@ struct RunClock {
 struct RunCounts {
   std::int64_t excluded = 0;
   std::int64_t viscous_iterations = 0;
+  std::int64_t viscous_retries = 0;
+  std::int64_t pressure_sweeps = 0;
   double wall_seconds = 0;
   double cpu_seconds = 0;
   double particle_steps = 0;  // fluid particles times steps

@@ -2,8 +2,12 @@
 
 #include "solver/lattice.hpp"
 #include "solver/physics/bed_shear.hpp"
+#include "solver/physics/effective_pressure.hpp"
 #include "solver/physics/equation_of_state.hpp"
 #include "solver/physics/kernel.hpp"
+#include "solver/physics/mohr_coulomb.hpp"
+#include "solver/physics/mu_of_i.hpp"
+#include "solver/physics/viscosity_treatment.hpp"
 #include "solver/record.hpp"
 
 namespace thalweg {
@@ -17,6 +21,14 @@ struct SedimentScene {
   float consistency = 0;        // [Pa s^n]
   float flow_index = 1;         // [-]
   float submerged_weight = 0;   // (rho_bed - rho_pore) g [N/m^3]
+
+  EffectivePressure effective_pressure = EffectivePressure::column;
+  float pore_stiffness = 0;     // B_w [Pa], of the pressure from the equation of state
+  float laplace_tolerance = 0;  // [Pa] change a sweep at which the iteration stops
+  YieldCriterion yield = YieldCriterion::drucker_prager;
+  Rheology rheology = Rheology::herschel_bulkley;
+  float dynamic_coefficient = 0;  // K of mu_2 [-]
+  InertialScale<float> inertia{};
 };
 
 /// Constants of erosion, suspension and settling as passes/bed_states.hpp uses them.
@@ -79,7 +91,9 @@ struct Scene {
   float diffusion = 0;               // 2 delta h c [m^2/s]
   float artificial_viscosity = 0;    // alpha c h [m^2/s]
   double cfl = 0;
+  ViscosityTreatment viscosity = ViscosityTreatment::implicit;
   double viscous_tolerance = 0;
+  int viscous_iterations = 1000;
 
   bool has_sediment = false;
   bool has_states = false;  // of sediment

@@ -18,6 +18,7 @@ struct StepReport {
   Limiter limiter = Limiter::sound;
   double largest_speed = 0;  // [m/s] before the step
   ViscousResult viscous;
+  int pressure_sweeps = 0;
   bool diverged = false;
   std::vector<ExcludedParticle> excluded;
 };

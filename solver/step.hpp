@@ -12,7 +12,7 @@
 #include "solver/passes/rest.hpp"
 #include "solver/passes/sediment_strength.hpp"
 #include "solver/passes/time_step.hpp"
-#include "solver/passes/viscosity.hpp"
+#include "solver/passes/viscous_step.hpp"
 #include "solver/timing.hpp"
 
 namespace thalweg {
@@ -28,6 +28,7 @@ struct Workspace {
 struct StepResult {
   TimeStep step;
   ViscousResult viscous;
+  int pressure_sweeps = 0;  // of the effective pressure from Laplace's equation
   std::vector<ExcludedParticle> excluded;
 };
 
@@ -62,19 +63,23 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
     if (p.any_resting) extrapolate_to_resting(on, p, scene);
     extrapolate_to_walls(on, p, scene);
   });
-  if (scene.has_sediment) timing.time(H::apply_rheology, [&] { apply_rheology(on, p, scene); });
+  if (scene.has_sediment) {
+    timing.time(H::apply_rheology, [&] {
+      result.pressure_sweeps = solve_effective_pressure(on, p, scene);
+      apply_rheology(on, p, scene);
+    });
+  }
   timing.time(H::compute_accelerations, [&] { compute_accelerations(on, p, scene); });
   timing.time(H::stable_time_step, [&] { result.step = stable_time_step(on, p, scene); });
   if (has_diverged(result)) return result;
   land_on_output(result.step, longest);
-  const double dt = result.step.dt;
 
-  timing.time(H::kick, [&] { kick(on, p, dt); });
+  timing.time(H::kick, [&] { kick(on, p, result.step.dt); });
   if (scene.has_sediment) {
-    timing.time(H::solve_viscosity,
-                [&] { result.viscous = solve_viscosity(on, p, scene, work.viscous, static_cast<float>(dt)); });
+    timing.time(H::solve_viscosity, [&] { result.viscous = apply_viscosity(on, p, scene, work.viscous, result.step); });
   }
   if (has_diverged(result)) return result;
+  const double dt = result.step.dt;  // viscosity may have shortened it
   timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
   timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
   timing.time(H::update_density, [&] { update_density(on, p, dt); });

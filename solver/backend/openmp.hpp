@@ -83,6 +83,21 @@ struct OpenMp {
     }
   }
 
+  /// found(j) for the j in [begin, end) that pass `test`, in order. test takes the places of several particles, one
+  /// integer lane a direction; each of `places` can be read filter_overrun entries beyond its last.
+  template <int Dim, class Test, class Found>
+  static void filter(const Vec<Dim, const std::int32_t*>& places, Index begin, Index end, const Test& test,
+                     const Found& found) {
+    static_assert(W <= filter_overrun);
+    for (Index j = begin; j < end; j += W) {
+      Vec<Dim, I> place{};
+      for (int k = 0; k < Dim; ++k) __builtin_memcpy(&place[k].v, places[k] + j, sizeof(place[k].v));
+      std::uint32_t bits = bits_of(test(place));
+      if (end - j < W) bits &= (1U << (end - j)) - 1;
+      for (; bits != 0; bits &= bits - 1) found(j + static_cast<Index>(__builtin_ctz(bits)));
+    }
+  }
+
   void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order) const { stable_sort_by_key(key, order); }
 
   /// buffer[i] = old buffer[order[i]].

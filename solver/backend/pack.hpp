@@ -48,6 +48,10 @@ struct IntPack {
   using Vector = typename Registers<W>::Integers;
   Vector v;
 
+  IntPack() = default;
+  IntPack(Vector vector) : v(vector) {}
+  IntPack(std::int32_t value) : v(value - Vector{}) {}
+
   friend IntPack operator-(IntPack a, IntPack b) { return {a.v - b.v}; }
   friend IntPack operator&(IntPack a, IntPack b) { return {a.v & b.v}; }
 };
@@ -78,10 +82,43 @@ inline Pack<W> lane_select(IntPack<W> condition, Pack<W> yes, Pack<W> no) {
 }
 
 template <int W>
+inline IntPack<W> lane_difference(IntPack<W> a, std::int32_t b) {
+  return a - IntPack<W>(b);
+}
+template <int W>
+inline IntPack<W> lane_or(IntPack<W> a, IntPack<W> b) {
+  return a.v | b.v;
+}
+template <int W>
+inline IntPack<W> lane_and_not(IntPack<W> a, IntPack<W> b) {
+  return a.v & ~b.v;
+}
+
+/// Bit l is set where condition holds in lane l.
+template <int W>
+inline std::uint32_t bits_of(IntPack<W> condition) {
+  std::uint32_t bits = 0;
+  for (int l = 0; l < W; ++l) bits |= (condition.v[l] != 0 ? 1U : 0U) << l;
+  return bits;
+}
+#if defined(__AVX512F__)
+template <>
+inline std::uint32_t bits_of(IntPack<16> condition) {
+  const auto v = (__m512i)condition.v;
+  return _mm512_test_epi32_mask(v, v);
+}
+#endif
+#if defined(__AVX2__)
+template <>
+inline std::uint32_t bits_of(IntPack<8> condition) {
+  return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)condition.v));
+}
+#endif
+
+template <int W>
 inline Pack<W> to_float(IntPack<W> a) {
   return __builtin_convertvector(a.v, typename Pack<W>::Vector);
 }
-HOST_DEVICE inline float to_float(std::int32_t a) { return static_cast<float>(a); }
 
 template <int W>
 inline Pack<W> lane_max(Pack<W> a, Pack<W> b) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/particles.hpp"
+#include "solver/physics/mohr_coulomb.hpp"
 #include "solver/physics/pair_terms.hpp"
 
 namespace thalweg {
@@ -81,11 +82,18 @@ struct ContinuityAndStrainSweep {
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
     continuity.end(i, sum.compression, sum.diffusion);
-    sediment[i].strain_rate = strain_rate(sum);
+    const StrainRate strain = strain_rate(sum);
+    sediment[i].strain_rate = strain.magnitude;
+    sediment[i].lode_sine = strain.lode_sine;
   }
 
-  /// gdot [1/s]; where too little of the neighbourhood is there to correct (an isolated grain), the plain sum is used.
-  HOST_DEVICE static float strain_rate(const Sum<float>& sum) {
+  struct StrainRate {
+    float magnitude;  // gdot [1/s]
+    float lode_sine;  // of three Lode angles [-]
+  };
+
+  /// Where too little of the neighbourhood is there to correct (an isolated grain), the plain sum is used.
+  HOST_DEVICE static StrainRate strain_rate(const Sum<float>& sum) {
     float inverse[Dim][Dim];
     invert(sum.moment, inverse);
     float gradient[Dim][Dim];
@@ -97,14 +105,22 @@ struct ContinuityAndStrainSweep {
     }
     float trace = 0;
     for (int i = 0; i < Dim; ++i) trace += gradient[i][i];
+    float d[Dim][Dim];
     float squares = 0;  // D:D
     for (int i = 0; i < Dim; ++i) {
       for (int j = 0; j < Dim; ++j) {
-        const float d = 0.5F * (gradient[i][j] + gradient[j][i]) - (i == j ? trace / Dim : 0);
-        squares += d * d;
+        d[i][j] = 0.5F * (gradient[i][j] + gradient[j][i]) - (i == j ? trace / Dim : 0);
+        squares += d[i][j] * d[i][j];
       }
     }
-    return sqrtf(2 * squares);
+    StrainRate strain{sqrtf(2 * squares), 0};
+    if constexpr (Dim == 3) {
+      const float det = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[1][2]) -
+                        d[0][1] * (d[0][1] * d[2][2] - d[1][2] * d[0][2]) +
+                        d[0][2] * (d[0][1] * d[1][2] - d[1][1] * d[0][2]);
+      strain.lode_sine = sine_of_three_lode_angles(det, squares / 2);
+    }
+    return strain;
   }
 
   /// Inverse of the symmetric moment; the identity where it is close to singular (determinant below 0.05, 1 inside).

@@ -64,23 +64,44 @@ struct CellTable {
 };
 
 /// Finds every particle within reach of any member of a cluster, each once.
-template <int Dim>
+template <int Dim, class Device>
 struct ClusterSearch {
   CellTable<Dim> table;
   Lattice<Dim> lattice;
   const Record* records;
+  Vec<Dim, const std::int32_t*> places;  // of all particles, one array a direction
   float reach2;
 
-  HOST_DEVICE bool within(Index a, Index b) const {
-    float r2 = 0;
-    for (int k = 0; k < Dim; ++k) {
-      const int c = axis<Dim>(k);
-      const float d =
-          static_cast<float>(Lattice<Dim>::difference(records[a].place[c], records[b].place[c])) * lattice.quantum[k];
-      r2 += d * d;
+  /// Which of some particles lie within reach of a member in [from, to) but of none in [already, from).
+  struct Within {
+    const ClusterSearch& search;
+    Index already, from, to;
+
+    template <class I>
+    HOST_DEVICE auto operator()(const Vec<Dim, I>& place) const {
+      auto in_reach = near(place, from);
+      for (Index m = from + 1; m < to; ++m) in_reach = lane_or(in_reach, near(place, m));
+      for (Index m = already; m < from; ++m) in_reach = lane_and_not(in_reach, near(place, m));
+      return in_reach;
     }
-    return r2 <= reach2;
-  }
+
+    template <class I>
+    HOST_DEVICE auto near(const Vec<Dim, I>& place, Index m) const {
+      auto d = along(place, m, 0);
+      auto r2 = d * d;
+      for (int k = 1; k < Dim; ++k) {
+        d = along(place, m, k);
+        r2 = r2 + d * d;
+      }
+      return r2 < decltype(r2)(search.reach2);
+    }
+
+    template <class I>
+    HOST_DEVICE auto along(const Vec<Dim, I>& place, Index m, int k) const {
+      const auto d = to_float(lane_difference(place[k], search.records[m].place[axis<Dim>(k)]));
+      return d * decltype(d)(search.lattice.quantum[k]);
+    }
+  };
 
   /// found(j) for particles of the cells around the box of cells [low, high] that lie within reach of a member in
   /// [from, to) but of none in [already, from).
@@ -95,16 +116,12 @@ struct ClusterSearch {
       // Once around a short period and no further.
       if (table.period[k] != 0 && last[k] - first[k] >= table.period[k]) last[k] = first[k] + table.period[k] - 1;
     }
+    const Within within{*this, already, from, to};
     Vec<Dim, std::int64_t> cell = first;
     while (true) {
       const std::int64_t n = table.number(cell);
       for (int s = 0; n >= 0 && s < sections; ++s) {
-        for (Index j = table.begin[s][n]; j < table.end[s][n]; ++j) {
-          bool in_reach = false;
-          for (Index m = from; m < to; ++m) in_reach = in_reach || within(m, j);
-          for (Index m = already; m < from; ++m) in_reach = in_reach && !within(m, j);
-          if (in_reach) found(j);
-        }
+        Device::template filter<Dim>(places, table.begin[s][n], table.end[s][n], within, found);
       }
       int k = 0;
       for (; k < Dim && ++cell[k] > last[k]; ++k) cell[k] = first[k];
@@ -266,7 +283,15 @@ template <int Dim, class Device>
 void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   const Cells<Dim, Device> cells = fill_cells<Dim>(on, p, scene);
   const auto reach = static_cast<float>(scene.list_reach);
-  const ClusterSearch<Dim> search{cells.table, scene.lattice, p.record.data(), reach * reach};
+  typename Device::template Buffer<std::int32_t> places[Dim];
+  ClusterSearch<Dim, Device> search{cells.table, scene.lattice, p.record.data(), {}, reach * reach};
+  for (int k = 0; k < Dim; ++k) {
+    places[k].resize(p.count + filter_overrun);
+    search.places[k] = places[k].data();
+    std::int32_t* to = places[k].data();
+    const Record* from = p.record.data();
+    on.for_each(p.count, [=](Index i) { to[i] = from[i].place[axis<Dim>(k)]; });
+  }
   p.fluid_clusters = (p.fluid_count + cluster_size - 1) / cluster_size;
   p.clusters = p.fluid_clusters + (p.count - p.fluid_count + cluster_size - 1) / cluster_size;
 

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "solver/particles.hpp"
-#include "solver/physics/herschel_bulkley.hpp"
+#include "solver/passes/laplace_pressure.hpp"
+#include "solver/passes/sediment_law.hpp"
 #include "solver/physics/suspension_viscosity.hpp"
 
-// The sediment's strength: effective pressure = submerged weight of the sediment above, yield stress by Drucker-Prager,
-// apparent viscosity by Herschel-Bulkley-Papanastasiou. The dynamic pressure of the water does not enter: it would turn
-// wave impact into strength (docs/theory.md). Weights follow the places of the particles and are taken anew when the
-// neighbour lists are; until then no particle has moved by more than half the lists' skin.
+// The sediment's strength: effective pressure = submerged weight of the sediment above (or what the scene has chosen),
+// yield stress, apparent viscosity. The dynamic pressure of the water does not enter: it would turn wave impact into
+// strength (docs/theory.md). Weights follow the places of the particles and are taken anew when the neighbour lists
+// are; until then no particle has moved by more than half the lists' skin.
 namespace thalweg {
 
 /// Volume of sediment above each node of a lattice of columns one spacing apart. Volumes are summed as integers, so
@@ -189,13 +189,13 @@ struct ColumnSlopePass {
   }
 };
 
-/// Particle pass: effective pressure gamma' z cos^2(beta): the pressure normal to a surface of slope beta, so that an
-/// infinite slope stands up to tan(beta) = K. The height z is averaged over the wetted columns within a support to
-/// either side, so that single particles at the surface do not make steps of strength; beta is counted up to the
-/// friction angle, what is steeper slides.
+/// Particle pass: slope of the bed and, where the columns say it, effective pressure gamma' z cos^2(beta): the pressure
+/// normal to a surface of slope beta, so that an infinite slope stands up to tan(beta) = K. The height z is averaged
+/// over the wetted columns within a support to either side, so that single particles at the surface do not make steps
+/// of strength; beta is counted up to the friction angle, what is steeper slides.
 template <int Dim>
 struct EffectivePressurePass {
-  Record* records;
+  const Record* records;
   const Position* positions;
   Sediment* sediment;
   ColumnLattice<Dim> columns;
@@ -203,14 +203,17 @@ struct EffectivePressurePass {
   const float* slope;
   const std::uint8_t* wetted;
   SedimentScene law;
-  float reach;  // of the average, in spacings
+  float reach;     // of the average, in spacings
+  bool by_column;  // the effective pressure is the columns'
 
   HOST_DEVICE void operator()(Index i) const {
     if (records[i].phase != phase_sediment) return;
     Sediment& s = sediment[i];
     s.bed_slope = slope_at(i);
     const float t = s.bed_slope < law.friction_tangent ? s.bed_slope : law.friction_tangent;
-    s.effective_pressure = law.submerged_weight * mean_height_above(i) / (1 + t * t);
+    if (by_column) {
+      s.effective_pressure = effective_pressure_of_column(law.submerged_weight, mean_height_above(i), 1 / (1 + t * t));
+    }
   }
 
   HOST_DEVICE float slope_at(Index i) const {
@@ -280,15 +283,14 @@ struct RheologyPass {
       r.viscosity = suspension_viscosity(water_viscosity, solids_share * bed[i].concentration, einstein_coefficient);
       return;
     }
-    s.yield_stress = r.state == state_bed_load ? bed[i].critical_stress
-                                               : law.yield_coefficient * s.effective_pressure + law.yield_cohesion;
-    const float apparent =
-        herschel_bulkley_viscosity(s.strain_rate, s.yield_stress, law.regularisation, law.consistency, law.flow_index);
+    s.yield_stress = r.state == state_bed_load ? bed[i].critical_stress : yield_stress_of(law, s);
+    const float apparent = apparent_viscosity_of(law, s);
     r.viscosity = apparent > water_viscosity ? apparent : water_viscosity;
   }
 };
 
-/// Sets the effective pressure and the slope of the bed above every sediment particle from where the sediment lies.
+/// Finds from where the sediment lies the slope of the bed over every sediment particle and, where the scene takes it
+/// from the columns, the effective pressure; Laplace's equation starts from it.
 template <int Dim, class Device>
 void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ColumnWeight<Device>& weight) {
   const ColumnLattice<Dim> columns(scene);
@@ -317,9 +319,41 @@ void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, C
                                    static_cast<float>(1 / (columns.quanta_per_volume * column_area)), spacing});
   on.for_each(all_columns, ColumnSlopePass<Dim>{columns, weight.surface.data(), weight.slope.data(), spacing,
                                                 static_cast<int>(reach)});
+  const EffectivePressure closure = scene.sediment.effective_pressure;
+  const bool by_column = closure == EffectivePressure::column ||
+                         (closure == EffectivePressure::laplace && largest_effective_pressure(on, p) == 0);
   on.for_each(p.fluid_count, EffectivePressurePass<Dim>{p.record.data(), p.position.data(), p.sediment.data(), columns,
                                                         weight.height_above.data(), weight.slope.data(), wetted,
-                                                        scene.sediment, reach});
+                                                        scene.sediment, reach, by_column});
+}
+
+/// Particle pass over the bed: effective pressure as a share of the equation of state's.
+template <int Dim, class Device>
+void share_pressure_of_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  const Record* records = p.record.data();
+  Sediment* sediment = p.sediment.data();
+  const float pore_stiffness = scene.sediment.pore_stiffness;
+  const float bed_stiffness = scene.stiffness(phase_sediment);
+  on.for_each(p.fluid_count, [=](Index i) {
+    const Record& r = records[i];
+    if (r.phase != phase_sediment) return;
+    sediment[i].effective_pressure = effective_pressure_of_state(r.pressure, pore_stiffness, bed_stiffness);
+  });
+}
+
+/// Effective pressure where it changes with every step. Returns the sweeps that Laplace's equation took.
+template <int Dim, class Device>
+int solve_effective_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  switch (scene.sediment.effective_pressure) {
+    case EffectivePressure::column:
+      break;
+    case EffectivePressure::laplace:
+      return solve_laplace_pressure(on, p, scene);
+    case EffectivePressure::eos:
+      share_pressure_of_state(on, p, scene);
+      break;
+  }
+  return 0;
 }
 
 template <int Dim, class Device>

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/particles.hpp"
+#include "solver/physics/pair_terms.hpp"
 
 namespace thalweg {
 
@@ -67,10 +68,31 @@ Extremes find_extremes(Device& on, const Particles<Device>& p) {
       });
 }
 
+/// Largest kinematic viscosity of the sediment and between it and the water [m^2/s], for speed differences up to u
+/// [m/s].
+template <int Dim, class Device>
+double largest_sediment_viscosity(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, double u) {
+  const Record* records = p.record.data();
+  const float density_at_rest = scene.sediment_density;
+  const float in_the_bed = on.reduce(
+      p.fluid_count, 0.0F,
+      [=](Index i) {
+        const Record& r = records[i];
+        return r.phase == phase_sediment && r.volume != 0 ? r.viscosity / (density_at_rest * (1 + r.excess)) : 0.0F;
+      },
+      [](float a, float b) { return a > b ? a : b; });
+  const float lighter = scene.water_density < density_at_rest ? scene.water_density : density_at_rest;
+  const float between = interface_viscosity(scene.water_viscosity, scene.water_density, static_cast<float>(u),
+                                            static_cast<float>(scene.spacing)) /
+                        lighter;
+  return in_the_bed > between ? in_the_bed : between;
+}
+
 /// The largest stable step (Monaghan 1992; Morris et al. 1997), C = scene.cfl:
 ///   sound      C h / (c + |u|max)
 ///   force      C sqrt(h / |a|max)
-///   viscosity  0.125 h^2 rho_w / mu_w, of what is treated explicitly: the water's own viscosity
+///   viscosity  0.125 h^2/nu of what is treated explicitly: the water's own viscosity, the sediment's where it is not
+///              implicit or capped
 template <int Dim, class Device>
 TimeStep stable_time_step(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
   TimeStep step;
@@ -83,6 +105,10 @@ TimeStep stable_time_step(Device& on, const Particles<Device>& p, const Scene<Di
   if (force < step.dt) step.dt = force, step.limiter = Limiter::force;
   if (scene.water_viscosity > 0) {
     const double viscous = 0.125 * h * h * double(scene.water_density) / double(scene.water_viscosity);
+    if (viscous < step.dt) step.dt = viscous, step.limiter = Limiter::viscosity;
+  }
+  if (scene.has_sediment && scene.viscosity == ViscosityTreatment::explicit_) {
+    const double viscous = viscous_time_step(h, largest_sediment_viscosity(on, p, scene, 2 * u));
     if (viscous < step.dt) step.dt = viscous, step.limiter = Limiter::viscosity;
   }
   return step;

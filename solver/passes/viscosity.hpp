@@ -31,12 +31,31 @@ struct ViscousSystem {
   Buffer<Row> row;
 };
 
-/// How a solve went.
+/// How the viscous part of a step went (solve_viscosity; passes/viscous_step.hpp for the last two).
 struct ViscousResult {
   int iterations = 0;
   double residual = 0;  // over the momentum one step of gravity gives [-]
   bool converged = true;
+  int retries = 0;          // solves that had to be made again
+  std::int64_t capped = 0;  // particles whose viscosity was cut
 };
+
+/// dt k_ab [kg] of a pair moving with u = u_a - u_b: among sediment, of sediment on walls (no slip), between water and
+/// sediment (passes/momentum.hpp has water's own).
+template <int Dim, class LaneT, class Sep, class L>
+HOST_DEVICE inline L sediment_pair_coefficient(const Scene<Dim>& scene, float dt, const LaneT& a, const LaneT& b,
+                                               const Sep& s, const Vec<Dim, L>& u) {
+  const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
+  const auto a_sediment = a.phase > L(phase_water + 0.5F);
+  const auto b_sediment = b.phase > L(phase_water + 0.5F);
+  const auto b_wall = b.phase < L(phase_wall + 0.5F);
+  const L interface = L(2.0F) * interface_viscosity(L(scene.water_viscosity), L(scene.water_density),
+                                                    lane_sqrt(dot(u, u)), L(static_cast<float>(scene.spacing)));
+  const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
+  const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
+  const L of_water = lane_select(b_sediment, interface, L(0.0F));
+  return L(dt) * viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water), F);
+}
 
 /// Pair sweep: the coefficients dt k_ab, the diagonal and the residual of the velocities u in the records, which are
 /// the explicit ones u* and a first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b).
@@ -59,18 +78,8 @@ struct ViscousCoefficientSweep {
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
-    const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
     const Vec<Dim, L> u = a.velocity - b.velocity;
-
-    const auto a_sediment = a.phase > L(phase_water + 0.5F);
-    const auto b_sediment = b.phase > L(phase_water + 0.5F);
-    const auto b_wall = b.phase < L(phase_wall + 0.5F);
-    const L interface = L(2.0F) * interface_viscosity(L(scene.water_viscosity), L(scene.water_density),
-                                                      lane_sqrt(dot(u, u)), L(static_cast<float>(scene.spacing)));
-    const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
-    const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
-    const L of_water = lane_select(b_sediment, interface, L(0.0F));
-    const L k = L(dt) * viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water), F);
+    const L k = sediment_pair_coefficient(scene, dt, a, b, s, u);
     lane_store(coefficient + entry, k);
     sum.coefficients += k;
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
@@ -118,8 +127,6 @@ struct ViscousProductSweep {
 };
 
 namespace viscosity {
-
-inline constexpr int most_iterations = 1000;
 
 HOST_DEVICE inline double dot3(const float* a, const float* b) {
   return double(a[0]) * double(b[0]) + double(a[1]) * double(b[1]) + double(a[2]) * double(b[2]);
@@ -176,7 +183,8 @@ double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Di
 
 }  // namespace viscosity
 
-/// Replaces the velocities of the fluid near sediment by the solution. The residual it stops at is
+/// Replaces the velocities of the fluid near sediment by the solution, or leaves them where the iteration did not
+/// converge within scene.viscous_iterations. The residual it stops at is
 /// scene.viscous_tolerance of the momentum that gravity and the present accelerations give in one step (without
 /// gravity: of the first residual).
 template <int Dim, class Device>
@@ -216,7 +224,7 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   while (true) {
     result.residual = scale > 0 ? std::sqrt(now.squared) / scale : 0;
     result.converged = result.residual <= scene.viscous_tolerance;
-    if (result.converged || result.iterations == viscosity::most_iterations || !std::isfinite(result.residual)) break;
+    if (result.converged || result.iterations == scene.viscous_iterations || !std::isfinite(result.residual)) break;
     on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
                            ViscousProductSweep<Dim, Row>{records, mass, system.coefficient.data(), rows});
     const double pAp = total([=](Index i) { return dot3(records[i].work, rows[i].product); });
@@ -236,10 +244,15 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
     });
     ++result.iterations;
   }
+  const bool converged = result.converged;
   each([=](Index i) {
     for (int c = 0; c < 3; ++c) {
-      records[i].velocity[c] += rows[i].increment[c];
-      sediment[i].viscous_acceleration[c] += rows[i].increment[c] / dt;
+      if (converged) {
+        records[i].velocity[c] += rows[i].increment[c];
+        sediment[i].viscous_acceleration[c] += rows[i].increment[c] / dt;
+      } else {
+        records[i].velocity[c] -= dt * sediment[i].viscous_acceleration[c];
+      }
     }
   });
   return result;

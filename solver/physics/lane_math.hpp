@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "solver/physics/host_device.hpp"
 
@@ -13,6 +14,14 @@ HOST_DEVICE inline float lane_min(float a, float b) { return a < b ? a : b; }
 HOST_DEVICE inline float lane_select(bool condition, float yes, float no) { return condition ? yes : no; }
 HOST_DEVICE inline float lane_reciprocal(float a) { return 1.0F / a; }
 HOST_DEVICE inline float lane_sqrt(float a) { return sqrtf(a); }
+
+/// a - b of whole numbers that wrap around, and what conditions are made of.
+HOST_DEVICE inline std::int32_t lane_difference(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
+HOST_DEVICE inline float to_float(std::int32_t a) { return static_cast<float>(a); }
+HOST_DEVICE inline bool lane_or(bool a, bool b) { return a || b; }
+HOST_DEVICE inline bool lane_and_not(bool a, bool b) { return a && !b; }
 
 /// One number, or as many as the lane holds, of an array with one number a pair.
 HOST_DEVICE inline void lane_store(float* to, float a) { *to = a; }

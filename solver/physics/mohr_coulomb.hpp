@@ -9,6 +9,9 @@
 // of strain, so that the rate of strain's Lode angle is the stress's.
 namespace thalweg {
 
+/// Which criterion tells when the sediment yields.
+enum class YieldCriterion { drucker_prager, mohr_coulomb };
+
 /// Sine of three times the Lode angle [-], in [-1, 1]: sin(3 theta) = -(3 sqrt3/2) det(D)/(D:D/2)^(3/2) for a
 /// deviatoric, symmetric rate of strain D [1/s] (stretching positive). -30 deg <= theta <= 30 deg:
 ///   +30 deg  compression along one axis, equal stretching across it (the triaxial test)

@@ -8,18 +8,20 @@ namespace thalweg {
 /// are named where they differ; NAN marks what a case has to give. Source: Zhang, Xiong & Liu 2024, J. Hunan Univ.
 /// (Nat. Sci.) 51(3), 69-80, called "the paper".
 struct SedimentParameters {
-  double grain_density = NAN;   // [kg/m^3]
-  double porosity = NAN;        // [-]
-  double grain_diameter = NAN;  // [m] d50
-  double friction_angle = NAN;  // [rad]
-  double cohesion = 0;          // [Pa]
-  double pore_density = 1000;   // [kg/m^3] of what fills the pores; 0 for a dry bed
-  double consistency = 1.5e-3;  // [Pa s^n]
-  double flow_index = 1;        // [-]
-  double regularisation = 100;  // [s]
-  double roughness = 0;         // [m] ks; 0: the grain diameter
-  double lift_ratio = 0.85;     // [-] lift over drag of a grain
-  double critical_shields = 0;  // [-]; 0: by the grain Reynolds number
+  double grain_density = NAN;         // [kg/m^3]
+  double porosity = NAN;              // [-]
+  double grain_diameter = NAN;        // [m] d50
+  double friction_angle = NAN;        // [rad]
+  double cohesion = 0;                // [Pa]
+  double pore_density = 1000;         // [kg/m^3] of what fills the pores; 0 for a dry bed
+  double consistency = 1.5e-3;        // [Pa s^n]
+  double flow_index = 1;              // [-]
+  double regularisation = 100;        // [s]
+  double dynamic_friction_angle = 0;  // [rad] of mu(I)
+  double inertial_number = 0.279;     // [-] I0 of mu(I)
+  double roughness = 0;               // [m] ks; 0: the grain diameter
+  double lift_ratio = 0.85;           // [-] lift over drag of a grain
+  double critical_shields = 0;        // [-]; 0: by the grain Reynolds number
 
   /// Density of the bed as a whole, grains and what fills the pores [kg/m^3].
   [[nodiscard]] double bed_density() const { return porosity * pore_density + (1 - porosity) * grain_density; }
@@ -43,6 +45,12 @@ struct SedimentParameters {
              "Exponent n of the yielded sediment: 1 Bingham (default), 1.8 in the paper.");
     v.quantity("regularisation", regularisation, "s", 1e-3, 1e6,
                "Papanastasiou's m: how sharply the viscosity rises below yield.");
+    v.quantity("dynamic_friction_angle", dynamic_friction_angle, "rad", 0, 1.2,
+               "rheology = \"mu-of-i\": friction angle of a fast flow; mu_2 follows from it as mu_s does from "
+               "friction_angle.");
+    v.number("inertial_number", inertial_number, 1e-6, 100,
+             "rheology = \"mu-of-i\": inertial number at which friction is half-way between the two; 0.279 for glass "
+             "beads.");
     v.quantity("roughness", roughness, "m", 0, 1,
                "Equivalent sand roughness ks of the bed, for the water's shear stress on it; 0: the grain diameter.");
     v.number("lift_ratio", lift_ratio, 0, 0.99, "Lift over drag of a grain on the bed (three-state).");

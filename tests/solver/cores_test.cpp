@@ -79,6 +79,43 @@ TEST(Cores, ResultsDoNotDependOnThreads) {
   EXPECT_EQ(largest_difference(after_steps(start, "auto", 1, 30), after_steps(start, "auto", 3, 30)), 0);
 }
 
+TEST(Cores, ContinueInSpaceWithMohrCoulombBitForBit) {
+  // The strength depends on the last step's rate of strain, Lode angle included: a checkpoint holds both.
+  test::LatticeSetup<3> setup;
+  setup.length = 0.1;
+  setup.gravity = {0, 0, -9.81F};
+  Scene<3> scene = test::make_scene_of(setup);
+  scene.has_sediment = true;
+  scene.sediment = slumping_tank().scene.sediment;
+  scene.sediment.yield = YieldCriterion::mohr_coulomb;
+  const ParticleSet start = test::fill_lattice(scene, [](const Vec3& x) {
+    if (x.z() < 0.03) return ParticleType::wall;
+    return x.x() < 0.05 && x.y() < 0.06 && x.z() < 0.07 ? ParticleType::sediment : ParticleType::water;
+  });
+  const auto advance = [](Simulation& s, int steps) {
+    for (int n = 0; n < steps; ++n) EXPECT_FALSE(s.advance(1e-4).diverged);
+  };
+  const auto straight = make_simulation({scene, &start, 1}, "openmp", "auto");
+  advance(*straight, 3);
+  const ParticleSet checkpoint = straight->full_state();
+  advance(*straight, 3);
+  const auto continued = make_simulation({scene, &checkpoint, 1}, "openmp", "auto");
+  advance(*continued, 3);
+  const ParticleSet a = straight->full_state();
+  const ParticleSet b = continued->full_state();
+  const auto& numbers = a.doubles.at(checkpoint_array::sediment);
+  double largest_sine = 0;
+  for (std::size_t n = offsetof(Sediment, lode_sine) / sizeof(float); n < numbers.size();
+       n += sizeof(Sediment) / sizeof(float)) {
+    largest_sine = std::max(largest_sine, std::abs(numbers[n]));
+  }
+  EXPECT_GT(largest_sine, 0.5);  // not all is plane strain
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.scalars, b.scalars);
+  EXPECT_EQ(a.doubles, b.doubles);
+}
+
 TEST(Cores, RefuseWhatIsNotThere) {
   const Start start = slumping_tank();
   EXPECT_THROW(make_simulation({start.scene, &start.particles, 1}, "cuda", "auto"), InputError);

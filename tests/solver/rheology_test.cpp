@@ -112,21 +112,21 @@ TEST(MohrCoulomb, IsTheCriterionOnTheExtremePrincipalStresses) {
   }
 }
 
+constexpr InertialScale<double> beads{0.279, 1e-3, 2500};  // glass, mu_s = 0.38, mu_2 = 0.64
+
 TEST(MuOfI, HasTheHandWorkedValue) {
   // I = 50 * 0.001 * sqrt(2500/100) = 0.25; mu = 0.38 + 0.26 * 0.25/0.529 = 0.50287; eta = 0.50287 * 100/50.
-  const InertialFriction<double> beads{0.38, 0.64, 0.279, 1e-3, 2500};
   EXPECT_DOUBLE_EQ(inertial_number(50.0, 1e-3, 2500.0, 100.0), 0.25);
   EXPECT_NEAR(friction_of_inertial_number(0.25, 0.38, 0.64, 0.279), 0.50287, 5e-6);
   EXPECT_NEAR(friction_of_inertial_number(0.279, 0.38, 0.64, 0.279), 0.51, 1e-12);
-  EXPECT_NEAR(mu_of_i_viscosity(50.0, 100.0, 0.0, 100.0, 0.0, beads), 1.00575, 5e-6);
+  EXPECT_NEAR(mu_of_i_viscosity(50.0, 38.0, 100.0, 0.26, 100.0, 0.0, beads), 1.00575, 5e-6);
 }
 
 TEST(MuOfI, HasItsLimits) {
-  const InertialFriction<double> beads{0.38, 0.64, 0.279, 1e-3, 2500};
-  const auto eta = [&](double gdot, double p, double c = 0, double pore = 0) {
-    return mu_of_i_viscosity(gdot, p, c, 100.0, pore, beads);
+  const auto eta = [](double gdot, double p, double c = 0, double pore = 0) {
+    return mu_of_i_viscosity(gdot, 0.38 * std::fmax(p, 0) + c, p, 0.26, 100.0, pore, beads);
   };
-  // At rest: mu_s p m/2 + (mu_2 - mu_s) d sqrt(rho_s p)/I0 = 1900 + 0.26 * 0.001 * 500/0.279.
+  // At rest: tau_y m/2 + (mu_2 - mu_s) d sqrt(rho_s p)/I0 = 1900 + 0.26 * 0.001 * 500/0.279.
   EXPECT_NEAR(eta(0, 100), 1900 + 0.13 / 0.279, 1e-9);
   EXPECT_NEAR(eta(1e9, 100) * 1e9, 64, 1e-4);  // I -> infinity: mu_2 p
   EXPECT_NEAR(eta(1e4, 100, 5) * 1e4 - eta(1e4, 100) * 1e4, 5, 1e-9);
@@ -136,15 +136,14 @@ TEST(MuOfI, HasItsLimits) {
   EXPECT_EQ(eta(10, -50), 0);
   EXPECT_EQ(eta(10, 0, 0, 0.001), 0.001);
   // One friction at every rate: the Bingham material.
-  const InertialFriction<double> rigid{0.38, 0.38, 0.279, 1e-3, 2500};
   for (const double gdot : {0.0, 0.01, 1.0, 100.0}) {
-    EXPECT_DOUBLE_EQ(mu_of_i_viscosity(gdot, 100.0, 3.0, 100.0, 0.002, rigid),
+    EXPECT_DOUBLE_EQ(mu_of_i_viscosity(gdot, 41.0, 100.0, 0.0, 100.0, 0.002, beads),
                      herschel_bulkley_viscosity(gdot, 41.0, 100.0, 0.002, 1.0));
   }
   // In the arithmetic of the solver too.
-  const InertialFriction<float> beads_f{0.38F, 0.64F, 0.279F, 1e-3F, 2500.0F};
-  EXPECT_TRUE(std::isfinite(mu_of_i_viscosity(0.0F, 0.0F, 0.0F, 100.0F, 0.0F, beads_f)));
-  EXPECT_NEAR(mu_of_i_viscosity(50.0F, 100.0F, 0.0F, 100.0F, 0.0F, beads_f), 1.00575F, 1e-5F);
+  const InertialScale<float> beads_f{0.279F, 1e-3F, 2500.0F};
+  EXPECT_EQ(mu_of_i_viscosity(0.0F, 0.0F, 0.0F, 0.26F, 100.0F, 0.0F, beads_f), 0);
+  EXPECT_NEAR(mu_of_i_viscosity(50.0F, 38.0F, 100.0F, 0.26F, 100.0F, 0.0F, beads_f), 1.00575F, 1e-5F);
 }
 
 TEST(Vand, HasThePrintedValuesAndItsRange) {

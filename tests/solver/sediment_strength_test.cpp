@@ -9,6 +9,15 @@ namespace {
 
 using test::LatticeSetup;
 
+/// All there is to the sediment's strength; returns the sweeps of Laplace's equation.
+template <int Dim>
+int strengthen(test::Loaded<Dim>& l, const Scene<Dim>& scene, ColumnWeight<test::Device>& weight) {
+  weigh_sediment(l.on, l.p, scene, weight);
+  const int sweeps = solve_effective_pressure(l.on, l.p, scene);
+  apply_rheology(l.on, l.p, scene);
+  return sweeps;
+}
+
 Scene<2> bed_scene() {
   LatticeSetup<2> setup;
   setup.gravity = {0, -9.81F};
@@ -29,8 +38,7 @@ TEST(SedimentStrength, OfAFlatBedIsItsSubmergedWeight) {
                       }));
   apply_equation_of_state(l.on, l.p, scene);
   ColumnWeight<test::Device> weight;
-  weigh_sediment(l.on, l.p, scene, weight);
-  apply_rheology(l.on, l.p, scene);
+  strengthen(l, scene, weight);
   for (Index i = 0; i < l.p.count; ++i) {
     if (l.p.record[i].phase != phase_sediment) continue;
     const double expected = 300 * 9.81 * (0.1 - l.p.position[i].x[2]);
@@ -49,8 +57,7 @@ TEST(SedimentStrength, FollowsASlope) {
                       }));
   apply_equation_of_state(l.on, l.p, scene);
   ColumnWeight<test::Device> weight;
-  weigh_sediment(l.on, l.p, scene, weight);
-  apply_rheology(l.on, l.p, scene);
+  strengthen(l, scene, weight);
   for (Index i = 0; i < l.p.count; ++i) {
     const double x = l.p.position[i].x[0];
     if (l.p.record[i].phase != phase_sediment || x < 0.05 || x > 0.15 || l.p.position[i].x[2] > 0.05) continue;
@@ -73,8 +80,7 @@ TEST(SedimentStrength, DoesNotFeelTheWaterAbove) {
     auto l = test::load(scene, test::fill_lattice(scene, bed(top)));
     apply_equation_of_state(l.on, l.p, scene);
     ColumnWeight<test::Device> weight;
-    weigh_sediment(l.on, l.p, scene, weight);
-    apply_rheology(l.on, l.p, scene);
+    strengthen(l, scene, weight);
     pressures[run].resize(l.p.count);
     for (Index i = 0; i < l.p.fluid_count; ++i) {
       if (l.p.record[i].phase == phase_sediment)
@@ -83,6 +89,160 @@ TEST(SedimentStrength, DoesNotFeelTheWaterAbove) {
     ++run;
   }
   EXPECT_EQ(pressures[0], pressures[1]);
+}
+
+/// A flat bed of ten layers in a tank, 0.03 m of walls around it, water above.
+test::Loaded<2> bed_in_a_tank(const Scene<2>& scene) {
+  auto l = test::load(scene, test::fill_lattice(scene, [](const Vec3& x) {
+                        if (x.z() < 0.03 || x.x() < 0.03 || x.x() > 0.17) return ParticleType::wall;
+                        return x.z() < 0.13 ? ParticleType::sediment : ParticleType::water;
+                      }));
+  apply_equation_of_state(l.on, l.p, scene);
+  return l;
+}
+
+Scene<2> laplace_scene() {
+  Scene<2> scene = bed_scene();
+  scene.sediment.effective_pressure = EffectivePressure::laplace;
+  scene.sediment.laplace_tolerance = 1e-4F;
+  return scene;
+}
+
+TEST(LaplacePressure, OfAFlatBedIsTheColumnsToALayersWeight) {
+  // The weight of one layer is given in the middle of the top one, where the column weighs half of it; the layer below
+  // lacks neighbours above, which adds a quarter more. From there on the profile is the column's, also along the walls.
+  const Scene<2> scene = laplace_scene();
+  auto l = bed_in_a_tank(scene);
+  ColumnWeight<test::Device> weight;
+  EXPECT_GT(strengthen(l, scene, weight), 10);
+  const double layer = 300 * 9.81 * scene.spacing;
+  double at_depth[10] = {};
+  for (Index i = 0; i < l.p.fluid_count; ++i) {
+    if (l.p.record[i].phase != phase_sediment) continue;
+    const double depth = 0.13 - l.p.position[i].x[2];
+    const double offset = double(l.p.sediment[i].effective_pressure) - 300 * 9.81 * depth;
+    EXPECT_GE(offset, 0.4 * layer) << depth;
+    EXPECT_LE(offset, 0.8 * layer) << depth;
+    at_depth[static_cast<int>(depth / scene.spacing)] = double(l.p.sediment[i].effective_pressure);
+    EXPECT_FLOAT_EQ(l.p.sediment[i].yield_stress, 0.6F * l.p.sediment[i].effective_pressure + 2);
+  }
+  for (int n = 4; n < 10; ++n) EXPECT_NEAR(at_depth[n] - at_depth[n - 1], layer, 0.02 * layer) << n;
+}
+
+TEST(LaplacePressure, StartsWhereItEndedAndLeavesNoTrace) {
+  const Scene<2> scene = laplace_scene();
+  auto l = bed_in_a_tank(scene);
+  ColumnWeight<test::Device> weight;
+  strengthen(l, scene, weight);
+  EXPECT_LE(strengthen(l, scene, weight), 5);
+  for (Index i = 0; i < l.p.count; ++i) {
+    for (const float w : l.p.record[i].work) EXPECT_EQ(w, 0);  // the viscous solve takes walls to be at rest there
+  }
+}
+
+TEST(LaplacePressure, DoesNotDependOnTheNumberOfThreads) {
+  const Scene<2> scene = laplace_scene();
+  std::vector<float> found[2];
+  for (const int threads : {1, 3}) {
+    auto l = bed_in_a_tank(scene);
+    l.on.threads = threads;
+    ColumnWeight<test::Device> weight;
+    strengthen(l, scene, weight);
+    for (Index i = 0; i < l.p.count; ++i) found[threads / 2].push_back(l.p.sediment[i].effective_pressure);
+  }
+  EXPECT_EQ(found[0], found[1]);
+}
+
+TEST(LaplacePressure, DoesNotFeelTheWaterAbove) {
+  // A grain layer's weight at the surface whatever lies on it: twice the water, the same strength.
+  const Scene<2> scene = laplace_scene();
+  std::vector<float> found[2];
+  int run = 0;
+  for (const double top : {0.15, 0.2}) {
+    auto l = bed_in_a_tank(scene);
+    for (Index i = 0; i < l.p.fluid_count; ++i) {
+      if (l.p.position[i].x[2] > top) l.p.record[i].volume = 0;
+    }
+    ColumnWeight<test::Device> weight;
+    strengthen(l, scene, weight);
+    for (Index i = 0; i < l.p.count; ++i) found[run].push_back(l.p.sediment[i].effective_pressure);
+    ++run;
+  }
+  EXPECT_EQ(found[0], found[1]);
+}
+
+TEST(PressureOfState, IsItsShareOfTheTotalPressure) {
+  Scene<2> scene = bed_scene();
+  scene.sediment.effective_pressure = EffectivePressure::eos;
+  scene.sediment.pore_stiffness = tait_stiffness(1000.0F, scene.sound_speed);
+  auto l = bed_in_a_tank(scene);
+  for (Index i = 0; i < l.p.fluid_count; ++i) l.p.record[i].pressure = static_cast<float>(i) - 100;
+  ColumnWeight<test::Device> weight;
+  strengthen(l, scene, weight);
+  for (Index i = 0; i < l.p.fluid_count; ++i) {
+    if (l.p.record[i].phase != phase_sediment) continue;
+    const float share = (1 - 1000.0F / 1300.0F) * l.p.record[i].pressure;
+    EXPECT_NEAR(l.p.sediment[i].effective_pressure, share > 0 ? share : 0, 1e-3);
+  }
+}
+
+TEST(SedimentLaw, OfMohrCoulombDependsOnTheLodeAngle) {
+  SedimentScene law = bed_scene().sediment;
+  Sediment s{};
+  s.effective_pressure = 100;
+  s.strain_rate = 3;
+  const float cone = yield_stress_of(law, s);
+  law.yield = YieldCriterion::mohr_coulomb;
+  EXPECT_EQ(yield_stress_of(law, s), cone);  // plane strain: sin(phi), what the cone of that fit has
+  s.lode_sine = 1;
+  EXPECT_FLOAT_EQ(yield_stress_of(law, s), cone * 2 * std::sqrt(3.0F) / (3 - 0.6F));
+  s.lode_sine = -1;
+  EXPECT_FLOAT_EQ(yield_stress_of(law, s), cone * 2 * std::sqrt(3.0F) / (3 + 0.6F));
+}
+
+TEST(SedimentLaw, OfMuOfIGrowsFromTheYieldStressToTheDynamicFriction) {
+  SedimentScene law = bed_scene().sediment;
+  law.yield_cohesion = 0;
+  law.rheology = Rheology::mu_of_i;
+  law.dynamic_coefficient = 0.8F;
+  law.inertia = {0.279F, 1e-3F, 2500};
+  for (const auto criterion : {YieldCriterion::drucker_prager, YieldCriterion::mohr_coulomb}) {
+    law.yield = criterion;
+    Sediment s{};
+    s.effective_pressure = 100;
+    s.yield_stress = yield_stress_of(law, s);
+    s.strain_rate = 1;  // I = 0.005
+    EXPECT_NEAR(apparent_viscosity_of(law, s) * 1, 60 + 20 * 0.005 / 0.284 + 1e-3, 1e-3);
+    s.strain_rate = 1e6F;
+    EXPECT_NEAR(apparent_viscosity_of(law, s) * 1e6F - 1e3F, 80, 0.1);
+  }
+}
+
+TEST(StrainRate, TellsCompressionFromStretching) {
+  // u = e (x, y, -2z): compressed along z, stretched across it; -u the other way round. gdot = sqrt(12) e.
+  LatticeSetup<3> setup;
+  setup.length = 0.1;
+  Scene<3> scene = test::make_scene_of(setup);
+  scene.has_sediment = true;
+  for (const float sign : {1.0F, -1.0F}) {
+    auto l = test::load(scene, test::fill_lattice(scene, [](const Vec3&) { return ParticleType::sediment; }));
+    apply_equation_of_state(l.on, l.p, scene);
+    const auto at = [&](Index i, int c) { return sign * static_cast<float>(l.p.position[i].x[c]); };
+    for (Index i = 0; i < l.p.count; ++i) {
+      Record& r = l.p.record[i];
+      r.velocity[0] = at(i, 0);
+      r.velocity[1] = at(i, 1);
+      r.velocity[2] = -2 * at(i, 2);
+    }
+    compute_density_rates(l.on, l.p, scene);
+    for (Index i = 0; i < l.p.count; ++i) {
+      bool inside = true;
+      for (const double x : l.p.position[i].x) inside = inside && x > 0.03 && x < 0.07;
+      if (!inside) continue;
+      EXPECT_NEAR(l.p.sediment[i].strain_rate, std::sqrt(12), 1e-4);
+      EXPECT_NEAR(l.p.sediment[i].lode_sine, sign, 1e-4);
+    }
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scenes.hpp"
+#include "solver/passes/viscous_step.hpp"
 
 namespace thalweg {
 namespace {
@@ -109,6 +110,146 @@ TEST(ImplicitViscosity, LeavesPureWaterAlone) {
   const ViscousResult result = solve_viscosity(l.on, l.p, scene, system, 1e-4F);
   EXPECT_EQ(result.iterations, 0);
   EXPECT_TRUE(system.row.empty());  // nothing was even allocated
+}
+
+/// Velocities by particle, after so many steps of the viscous part alone.
+std::vector<float> velocities_after(test::Loaded<2>& l, double dt, int steps) {
+  ViscousSystem<test::Device> system;
+  for (int n = 0; n < steps; ++n) {
+    TimeStep step;
+    step.dt = dt;
+    EXPECT_TRUE(apply_viscosity(l.on, l.p, l.scene, system, step).converged);
+  }
+  std::vector<float> u;
+  for (Index i = 0; i < l.p.fluid_count; ++i) {
+    for (const float c : l.p.record[i].velocity) u.push_back(c);
+  }
+  return u;
+}
+
+double rms_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) squares += std::pow(double(a[i]) - double(b[i]), 2);
+  return std::sqrt(squares / static_cast<double>(a.size()));
+}
+
+TEST(ExplicitViscosity, BecomesTheImplicitOneWithShortSteps) {
+  // Both are of first order in the step, with opposite errors: their difference halves with it. 1 Pa s for 1 ms: a
+  // diffusion length of 2 spacings, so that viscosity decides about the velocities.
+  std::vector<double> difference;
+  for (const int steps : {20, 40, 80}) {
+    std::vector<float> u[2];
+    for (const auto treatment : {ViscosityTreatment::implicit, ViscosityTreatment::explicit_}) {
+      auto l = stirred_block();
+      l.scene.viscosity = treatment;
+      for (Index i = 0; i < l.p.fluid_count; ++i) l.p.record[i].viscosity = 100;
+      u[treatment == ViscosityTreatment::explicit_] = velocities_after(l, 1e-3 / steps, steps);
+    }
+    difference.push_back(rms_difference(u[0], u[1]));
+  }
+  EXPECT_LT(difference[0], 2e-3);  // of velocities of 0.1 m/s
+  EXPECT_NEAR(difference[0] / difference[1], 2, 0.5);
+  EXPECT_NEAR(difference[1] / difference[2], 2, 0.5);
+}
+
+TEST(ExplicitViscosity, KeepsMomentumWithoutWalls) {
+  auto l = stirred_block();
+  l.scene.viscosity = ViscosityTreatment::explicit_;
+  for (Index i = l.p.fluid_count; i < l.p.count; ++i) l.p.record[i].volume = 0;
+  const Totals before = sum_totals(l.on, l.p, l.scene);
+  velocities_after(l, 1e-7, 10);
+  const Totals after = sum_totals(l.on, l.p, l.scene);
+  const double scale = std::sqrt(2 * before.kinetic_energy * (before.water_mass + before.sediment_mass));
+  EXPECT_LT(std::abs(after.momentum[0] - before.momentum[0]), 1e-6 * scale);
+  EXPECT_LT(std::abs(after.momentum[2] - before.momentum[2]), 1e-6 * scale);
+  EXPECT_LT(after.kinetic_energy, before.kinetic_energy);
+}
+
+TEST(ExplicitViscosity, ShortensTheStep) {
+  auto l = stirred_block();
+  for (Index i = 0; i < l.p.fluid_count; ++i) l.p.record[i].viscosity = 1300;
+  l.scene.viscosity = ViscosityTreatment::explicit_;
+  const TimeStep step = stable_time_step(l.on, l.p, l.scene);
+  EXPECT_EQ(step.limiter, Limiter::viscosity);
+  EXPECT_NEAR(step.dt, 0.125 * 0.015 * 0.015 / 1, 1e-10);  // nu = 1 m^2/s
+  l.scene.viscosity = ViscosityTreatment::capped;
+  EXPECT_EQ(stable_time_step(l.on, l.p, l.scene).limiter, Limiter::sound);
+}
+
+TEST(CappedViscosity, IsWhatTheStepCanTakeAndIsCounted) {
+  auto l = stirred_block();
+  l.scene.viscosity = ViscosityTreatment::capped;
+  Index sediment = 0;
+  for (Index i = 0; i < l.p.fluid_count; ++i) {
+    if (l.p.record[i].phase != phase_sediment) continue;
+    l.p.record[i].viscosity = sediment % 3 == 0 ? 1e5F : 0.5F;
+    ++sediment;
+  }
+  ViscousSystem<test::Device> system;
+  TimeStep step;
+  step.dt = 1e-4;
+  const ViscousResult result = apply_viscosity(l.on, l.p, l.scene, system, step);
+  EXPECT_EQ(result.capped, (sediment + 2) / 3);
+  for (Index i = 0; i < l.p.fluid_count; ++i) {
+    if (l.p.record[i].phase == phase_sediment) {
+      EXPECT_LE(l.p.record[i].viscosity, 1300 * 0.125 * 0.015 * 0.015 / 1e-4 + 0.1);
+    }
+  }
+  EXPECT_NEAR(viscosity_cap(1540.0, 4.16e-3, 3.3e-5), 101, 0.5);  // the paper's grains as a bed
+  EXPECT_NEAR(viscous_time_step(7.5e-3, 1.0), 7.03e-6, 5e-9);
+}
+
+TEST(ImplicitViscosity, TriesAgainWithLessBeforeItGivesUp) {
+  const double dt = 1e-3;
+  const auto solve = [&](int iterations, TimeStep& step) {
+    auto l = stirred_block();
+    l.scene.viscous_iterations = iterations;
+    l.scene.viscous_tolerance = 1e-3;
+    step.dt = dt;
+    ViscousSystem<test::Device> system;
+    const std::vector<Record> before(l.p.record.begin(), l.p.record.end());
+    const ViscousResult result = apply_viscosity(l.on, l.p, l.scene, system, step);
+    for (Index i = 0; i < l.p.fluid_count && !result.converged; ++i) {
+      EXPECT_NEAR(l.p.record[i].velocity[0], before[i].velocity[0], 1e-6);  // nothing was left half done
+    }
+    return result;
+  };
+  TimeStep step;
+  const ViscousResult usual = solve(1000, step);
+  ASSERT_TRUE(usual.converged);
+  EXPECT_EQ(usual.retries, 0);
+  EXPECT_EQ(step.dt, dt);
+
+  // Too few iterations for the step, enough for a shorter one.
+  const ViscousResult shorter = solve(usual.iterations * 3 / 4, step);
+  EXPECT_TRUE(shorter.converged);
+  EXPECT_GT(shorter.retries, 1);
+  EXPECT_LT(step.dt, dt);
+  EXPECT_EQ(step.limiter, Limiter::viscosity);
+
+  // Far too few: says so.
+  const ViscousResult hopeless = solve(1, step);
+  EXPECT_FALSE(hopeless.converged);
+  EXPECT_EQ(hopeless.retries, 1 + viscosity::most_halvings);
+  EXPECT_EQ(step.dt, dt / 16);
+}
+
+TEST(ImplicitViscosity, ForgetsAGuessThatLeadsAstray) {
+  // At rest the solution is rest: nothing to do without a guess, too much for two iterations with a bad one.
+  auto l = stirred_block();
+  l.scene.viscous_iterations = 2;
+  for (Index i = 0; i < l.p.fluid_count; ++i) {
+    for (float& u : l.p.record[i].velocity) u = 0;
+    l.p.sediment[i].viscous_acceleration[0] = i % 2 == 0 ? 5.0F : -5.0F;
+  }
+  ViscousSystem<test::Device> system;
+  TimeStep step;
+  step.dt = 1e-3;
+  const ViscousResult result = apply_viscosity(l.on, l.p, l.scene, system, step);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.retries, 1);
+  EXPECT_EQ(step.dt, 1e-3);
+  for (Index i = 0; i < l.p.fluid_count; ++i) EXPECT_NEAR(l.p.record[i].velocity[0], 0, 1e-6);
 }
 
 }  // namespace
