@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace thalweg::test {
+
+/// Between what a measure has to lie, and why.
+struct Bound {
+  double at_least = -std::numeric_limits<double>::infinity();
+  double at_most = std::numeric_limits<double>::infinity();
+  std::string why;
+
+  [[nodiscard]] bool holds(double value) const { return value >= at_least && value <= at_most; }  // false for NaN
+};
+
+/// A row of cases/stability/suite.toml: a scene, what is changed in it, and what has to hold.
+struct StabilityCase {
+  std::string name;
+  std::string scene;                    // folder in cases/stability
+  std::vector<std::string> set;         // overrides of the scene, as on the command line
+  std::string tries;                    // what it tries to break
+  std::map<std::string, Bound> bounds;  // by the name of the measure
+  std::vector<std::string> fails;       // words of the diagnosis it has to stop with; empty: it has to run to its end
+  bool long_run = false;                // labelled validation: not part of ./test
+};
+
+/// The table, in its order. The bounds of [every_run] stand in every case that has to run to its end and has no bound
+/// of its own by that name. Throws std::runtime_error "file: what is wrong".
+std::vector<StabilityCase> read_suite();
+
+}  // namespace thalweg::test
