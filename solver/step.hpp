@@ -66,9 +66,10 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
                 [&] { result.viscous = solve_viscosity(on, p, scene, work.viscous, static_cast<float>(dt)); });
   }
   if (has_diverged(result)) return result;
-  timing.time(H::drift, [&] { drift(on, p, scene, dt); });
+  timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
   timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
   timing.time(H::update_density, [&] { update_density(on, p, dt); });
+  timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
   return result;
 }
 

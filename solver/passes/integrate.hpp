@@ -2,9 +2,11 @@
 
 #include "solver/particles.hpp"
 
-// Semi-implicit (symplectic) Euler, which is leapfrog read at the steps: velocities by the accelerations at the old
-// places, places by the new velocities, densities by the rates at the new places. One force sweep a step; second order
-// for the places, stable up to the acoustic Courant number of about 0.5 measured in tests/solver.
+// Leapfrog: velocities by the accelerations at the old places, half of the way by the new velocities, densities by the
+// rates half-way, the other half of the way. One force sweep a step; stable up to the acoustic Courant number of about
+// 0.5 measured in tests/solver. Rates taken at the end of the way instead are of first order, and wrong in the same
+// sense on the way in and out: a drop that bounced off a floor kept 15 % of the impact's compression, and gained 4 to
+// 10 % of its energy from every bounce.
 namespace thalweg {
 
 /// Particle pass: velocities by the explicit accelerations.
@@ -48,7 +50,7 @@ struct DriftPass {
   }
 };
 
-/// Particle pass: densities by the rates at the new places.
+/// Particle pass: densities by the rates half-way.
 struct DensityPass {
   Record* records;
   const Rates* rates;
