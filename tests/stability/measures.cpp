@@ -72,9 +72,23 @@ double steps_over_acoustic(const FinishedRun& run) {
   return run.steps * acoustic / run.scene.output.end;
 }
 
+/// From the highest place of the fluid at the start to the lowest it has reached [m].
+double fall_height(const FinishedRun& run) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (std::size_t i = 0; i < run.start.size(); ++i) {
+    if (is_fluid(run.start.type[i])) high = std::max(high, run.start.position[i].z());
+  }
+  for (const ParticleSet& s : run.snapshots) {
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (is_fluid(s.type[i])) low = std::min(low, s.position[i].z());
+    }
+  }
+  return high - low;
+}
+
 double speed_over_fall(const FinishedRun& run) {
   const auto speeds = run.history.numbers("max_speed", "m/s");
-  return *std::max_element(speeds.begin(), speeds.end()) / std::sqrt(2 * gravity(run) * fluid_height(run));
+  return *std::max_element(speeds.begin(), speeds.end()) / std::sqrt(2 * gravity(run) * fall_height(run));
 }
 
 double compression(const FinishedRun& run) {
@@ -213,7 +227,8 @@ double count_not_finite(const ParticleSet& particles) {
 FinishedRun read_run(const Case& scene, const ParticleSet& start, const std::filesystem::path& folder) {
   const RunFolder run{folder};
   FinishedRun out{scene, start, {}, CsvTable::read(run.history())};
-  for (const SeriesEntry& e : read_series(run.snapshot_series())) out.snapshots.push_back(read_particles(folder / e.file));
+  for (const SeriesEntry& e : read_series(run.snapshot_series()))
+    out.snapshots.push_back(read_particles(folder / e.file));
   const CsvTable summary = CsvTable::read(run.summary());
   const auto names = summary.texts("quantity");
   const auto values = summary.texts("value");
@@ -231,18 +246,20 @@ const std::map<std::string, Measure>& measures() {
       {"sediment_mass", {"-", "largest change of the sediment's mass, relative", sediment_mass_change}},
       {"excluded", {"particles", "left the domain", excluded}},
       {"not_finite", {"particles", "with a number that is not finite, in any snapshot", not_finite}},
-      {"energy_gain", {"dp", "rise of kinetic, potential and internal energy above the start, as a lift of all fluid",
-                       energy_gain}},
+      {"energy_gain",
+       {"dp", "rise of kinetic, potential and internal energy above the start, as a lift of all fluid", energy_gain}},
       {"steps", {"-", "steps taken over those of the acoustic limit", steps_over_acoustic}},
-      {"speed", {"-", "largest speed over that of a fall through the fluid's height", speed_over_fall}},
+      {"speed",
+       {"-", "largest speed over that of a fall from the fluid's highest place at the start to its lowest",
+        speed_over_fall}},
       {"compression", {"-", "largest departure of a density from rest, relative", compression}},
       {"viscous_iterations", {"-", "of the implicit viscosity, mean of the history's rows", viscous_iterations}},
       {"creep", {"dp", "displacement of the sediment, root mean square", rms_displacement}},
       {"largest_creep", {"dp", "displacement of the sediment, largest", largest_displacement}},
       {"water_speed", {"sqrt(g H)", "speed of the water at the end, root mean square", water_speed}},
       {"momentum", {"-", "momentum less impulse of gravity, over the impulse", momentum_error}},
-      {"slope", {"deg", "slope of the bed at the end, between a quarter and three quarters of the start's height",
-                 final_slope}},
+      {"slope",
+       {"deg", "slope of the bed at the end, between a quarter and three quarters of the start's height", final_slope}},
       {"runout", {"-", "toe of the deposit over the measured one, less 1", runout_error}},
       {"surface", {"H", "final surface against the measured one, root mean square", surface_error}},
   };

@@ -25,13 +25,21 @@ class Results {
  public:
   explicit Results(std::string name)
       : name_(std::move(name)),
-        table_({{"case", ""}, {"particles", "-"}, {"steps", "-"}, {"cpu", "s"}, {"measure", ""}, {"value", ""},
-                {"unit", ""}, {"bound", ""}, {"holds", ""}}) {}
+        table_({{"case", ""},
+                {"particles", "-"},
+                {"steps", "-"},
+                {"cpu", "s"},
+                {"measure", ""},
+                {"value", ""},
+                {"unit", ""},
+                {"bound", ""},
+                {"holds", ""}}) {}
 
   void add(const FinishedRun& run, const std::string& measure, double value, const std::string& unit,
            const std::string& bound, bool holds) {
-    table_.add_row({name_, csv_number(run.fluid_particles), csv_number(run.steps), fmt::format("{:.1f}", run.cpu_seconds),
-                    measure, fmt::format("{:.3g}", value), unit, bound, holds ? "yes" : "no"});
+    table_.add_row({name_, csv_number(run.fluid_particles), csv_number(run.steps),
+                    fmt::format("{:.1f}", run.cpu_seconds), measure, fmt::format("{:.3g}", value), unit, bound,
+                    holds ? "yes" : "no"});
   }
   void write() const { table_.write(std::filesystem::path(THALWEG_STABILITY_RESULTS) / (name_ + ".csv")); }
 
