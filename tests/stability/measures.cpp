@@ -21,15 +21,20 @@ double fluid_mass(const ParticleSet& p) {
   return mass[static_cast<std::size_t>(ParticleType::water)] + mass[static_cast<std::size_t>(ParticleType::sediment)];
 }
 
-/// Highest point of the fluid above the lowest one at the start [m].
-double fluid_height(const FinishedRun& run) {
+/// Height of what `counts` at the start [m].
+double height_of(const FinishedRun& run, bool (*counts)(ParticleType)) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (std::size_t i = 0; i < run.start.size(); ++i) {
-    if (!is_fluid(run.start.type[i])) continue;
+    if (!counts(run.start.type[i])) continue;
     low = std::min(low, run.start.position[i].z());
     high = std::max(high, run.start.position[i].z());
   }
   return high - low + spacing(run);
+}
+
+double fluid_height(const FinishedRun& run) { return height_of(run, is_fluid); }
+double sediment_height(const FinishedRun& run) {
+  return height_of(run, [](ParticleType type) { return type == ParticleType::sediment; });
 }
 
 /// Largest departure of a column of the history from its first value, over that value.
@@ -54,16 +59,31 @@ double not_finite(const FinishedRun& run) {
   return n;
 }
 
-/// The work of gravity is in the potential energy: nothing else may add to the sum.
-double energy_gain(const FinishedRun& run) {
+/// Kinetic, potential and internal energy of the history's rows, as the height in spacings to which it would lift all
+/// fluid. The work of gravity is in the potential energy and all else dissipates: the sum may not rise.
+std::vector<double> energies(const FinishedRun& run) {
   const auto kinetic = run.history.numbers("kinetic_energy", "J");
   const auto potential = run.history.numbers("potential_energy", "J");
   const auto internal = run.history.numbers("internal_energy", "J");
-  double gain = -HUGE_VAL;
-  for (std::size_t i = 0; i < kinetic.size(); ++i) {
-    gain = std::max(gain, kinetic[i] + potential[i] + internal[i] - (kinetic[0] + potential[0] + internal[0]));
+  const double lift = fluid_mass(run.start) * gravity(run) * spacing(run);
+  std::vector<double> out;
+  for (std::size_t i = 0; i < kinetic.size(); ++i) out.push_back((kinetic[i] + potential[i] + internal[i]) / lift);
+  return out;
+}
+
+double energy_gain(const FinishedRun& run) {
+  double lowest = HUGE_VAL;
+  double gain = 0;
+  for (const double energy : energies(run)) {
+    lowest = std::min(lowest, energy);
+    gain = std::max(gain, energy - lowest);
   }
-  return gain / (fluid_mass(run.start) * gravity(run) * spacing(run));
+  return gain;
+}
+
+double energy_above_start(const FinishedRun& run) {
+  const auto all = energies(run);
+  return *std::max_element(all.begin(), all.end()) - all[0];
 }
 
 double steps_over_acoustic(const FinishedRun& run) {
@@ -124,14 +144,14 @@ std::vector<double> displacements(const FinishedRun& run) {
   return out;
 }
 
-double rms_displacement(const FinishedRun& run) {
+double root_mean_square_creep(const FinishedRun& run) {
   double sum = 0;
   const auto all = displacements(run);
   for (const double d : all) sum += d * d;
   return std::sqrt(sum / static_cast<double>(all.size())) / spacing(run);
 }
 
-double largest_displacement(const FinishedRun& run) {
+double largest_creep(const FinishedRun& run) {
   const auto all = displacements(run);
   return *std::max_element(all.begin(), all.end()) / spacing(run);
 }
@@ -167,10 +187,7 @@ Profile final_profile(const FinishedRun& run) {
 /// Slope of the straight line through the bed between a quarter and three quarters of the heap's height at the start.
 double final_slope(const FinishedRun& run) {
   const Profile profile = final_profile(run);
-  double height = 0;
-  for (std::size_t i = 0; i < run.start.size(); ++i) {
-    if (run.start.type[i] == ParticleType::sediment) height = std::max(height, run.start.position[i].z());
-  }
+  const double height = sediment_height(run);
   double n = 0, x = 0, z = 0, xx = 0, xz = 0;
   for (std::size_t i = 0; i < profile.x.size(); ++i) {
     const double at = profile.bed[i];
@@ -207,7 +224,7 @@ double surface_error(const FinishedRun& run) {
   const ProfileSet measured{"measured", SourceKind::other, {}, {{end, {}, measured_surface(run)}}};
   const ProfileSet computed{"computed", SourceKind::other, {}, {{end, {}, final_profile(run)}}};
   for (const CurveError& e : compare(measured, computed, run.scene.domain.from.x(), run.scene.domain.to.x()).errors) {
-    if (e.curve == "bed") return e.rmse / fluid_height(run);
+    if (e.curve == "bed") return e.rmse / sediment_height(run);
   }
   return NAN;
 }
@@ -247,15 +264,16 @@ const std::map<std::string, Measure>& measures() {
       {"excluded", {"particles", "left the domain", excluded}},
       {"not_finite", {"particles", "with a number that is not finite, in any snapshot", not_finite}},
       {"energy_gain",
-       {"dp", "rise of kinetic, potential and internal energy above the start, as a lift of all fluid", energy_gain}},
+       {"dp", "rise of the total energy above its lowest value so far, as a lift of all fluid", energy_gain}},
+      {"energy_above_start", {"dp", "rise of the total energy above its first value, likewise", energy_above_start}},
       {"steps", {"-", "steps taken over those of the acoustic limit", steps_over_acoustic}},
       {"speed",
        {"-", "largest speed over that of a fall from the fluid's highest place at the start to its lowest",
         speed_over_fall}},
       {"compression", {"-", "largest departure of a density from rest, relative", compression}},
       {"viscous_iterations", {"-", "of the implicit viscosity, mean of the history's rows", viscous_iterations}},
-      {"creep", {"dp", "displacement of the sediment, root mean square", rms_displacement}},
-      {"largest_creep", {"dp", "displacement of the sediment, largest", largest_displacement}},
+      {"creep", {"dp", "displacement of the sediment, root mean square", root_mean_square_creep}},
+      {"largest_creep", {"dp", "displacement of the sediment, largest", largest_creep}},
       {"water_speed", {"sqrt(g H)", "speed of the water at the end, root mean square", water_speed}},
       {"momentum", {"-", "momentum less impulse of gravity, over the impulse", momentum_error}},
       {"slope",

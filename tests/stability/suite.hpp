@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct StabilityCase {
   std::vector<std::string> fails;       // words of the diagnosis it has to stop with; empty: it has to run to its end
   bool long_run = false;                // labelled validation: not part of ./test
 };
+
+/// How GoogleTest names a case in its messages.
+inline void PrintTo(const StabilityCase& c, std::ostream* to) { *to << c.tries; }
 
 /// The table, in its order. The bounds of [every_run] stand in every case that has to run to its end and has no bound
 /// of its own by that name. Throws std::runtime_error "file: what is wrong".
