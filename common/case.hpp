@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/particles.hpp"
+#include "solver/physics/bed_shear.hpp"
 #include "solver/physics/drucker_prager.hpp"
 #include "solver/physics/sediment_parameters.hpp"
 
@@ -141,7 +142,8 @@ struct WaterParameters {
   }
 };
 
-enum class SedimentModel { off, viscoplastic };
+enum class SedimentModel { off, viscoplastic, three_state };
+enum class Implementation { consistent, paper };
 enum class WallFriction { none, smooth };
 
 inline constexpr std::array<Choice<WallFriction>, 2> choices(WallFriction) {
@@ -149,13 +151,28 @@ inline constexpr std::array<Choice<WallFriction>, 2> choices(WallFriction) {
            {WallFriction::smooth, "smooth", "shear stress of a smooth wall's turbulent boundary layer (Blasius)"}}};
 }
 
-inline constexpr std::array<Choice<SedimentModel>, 2> choices(SedimentModel) {
-  return {{{SedimentModel::off, "off", "no sediment in the scene"},
-           {SedimentModel::viscoplastic, "viscoplastic",
-            "Herschel-Bulkley-Papanastasiou fluid with Drucker-Prager yield under submerged weight"}}};
+inline constexpr std::array<Choice<SedimentModel>, 3> choices(SedimentModel) {
+  return {
+      {{SedimentModel::off, "off", "no sediment in the scene"},
+       {SedimentModel::viscoplastic, "viscoplastic",
+        "Herschel-Bulkley-Papanastasiou fluid with Drucker-Prager yield under submerged weight"},
+       {SedimentModel::three_state, "three-state",
+        "the same as deposit, and as bed load and in suspension where the water's shear stress moves its surface"}}};
 }
-inline constexpr std::array<Choice<YieldFit>, 5> choices(YieldFit) {
+inline constexpr std::array<Choice<Implementation>, 2> choices(Implementation) {
+  return {{{Implementation::consistent, "consistent", "the physics the source paper means, misprints mended"},
+           {Implementation::paper, "paper",
+            "the equations as the source paper prints them; `thalweg explain sediment` tells the differences"}}};
+}
+inline constexpr std::array<Choice<BedShear>, 3> choices(BedShear) {
+  return {
+      {{BedShear::log_law, "log-law", "logarithmic law, from the mean of the water in reach"},
+       {BedShear::nearest, "nearest", "logarithmic law, from the water particle nearest to the grain"},
+       {BedShear::paper, "paper", "rho (kappa du/2)^2 from the summed velocity difference, the paper's (20), (21)"}}};
+}
+inline constexpr std::array<Choice<YieldFit>, 6> choices(YieldFit) {
   return {{{YieldFit::sine, "sin", "sin(phi): plane strain without dilation, for flumes and 2-D"},
+           {YieldFit::coulomb, "coulomb", "tan(phi): slip along the shear plane; a slope stands up to phi"},
            {YieldFit::outer, "outer", "6 sin(phi) / (sqrt3 (3 - sin(phi))): outer cone of Mohr-Coulomb"},
            {YieldFit::inner, "inner", "6 sin(phi) / (sqrt3 (3 + sin(phi))): inner cone"},
            {YieldFit::plane_strain, "plane-strain",
@@ -165,16 +182,27 @@ inline constexpr std::array<Choice<YieldFit>, 5> choices(YieldFit) {
 
 struct Model {
   SedimentModel sediment = SedimentModel::off;
+  Implementation implementation = Implementation::consistent;
   YieldFit yield_fit = YieldFit::sine;
+  BedShear bed_shear = BedShear::log_law;
+  bool rest = true;
   WallFriction wall_friction = WallFriction::none;
 
   template <class V>
   void describe(V& v) {
     v.choice("sediment", sediment, "How sediment moves.");
+    v.choice(
+        "implementation", implementation,
+        "Which reading of the source paper: sets the defaults of yield_fit, bed_shear, consistency and flow_index, "
+        "and how states change.");
     v.choice("wall_friction", wall_friction,
              "What water feels of the walls it runs along; sediment always sticks to walls.");
     v.choice("yield_fit", yield_fit,
              "How the friction angle becomes the pressure coefficient of the Drucker-Prager yield stress.");
+    v.choice("bed_shear", bed_shear, "How the water's shear stress on the bed is found (three-state).");
+    v.flag("rest", rest,
+           "Sediment that has been below yield for a while, with nothing moving about it, stops exactly and costs next "
+           "to nothing until something wakes it.");
   }
 };
 

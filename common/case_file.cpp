@@ -115,6 +115,7 @@ class CaseReader {
   }
 
   Case read() {
+    if (root_["model"]["implementation"].value<std::string>() == "paper") take_printed_defaults();
     for_each_table(
         result_, [&](const TableHeading& heading, auto& table) { read_table(heading.name, table); },
         [&] { read_shapes(); }, [&] { read_sediments(); });
@@ -124,6 +125,14 @@ class CaseReader {
   }
 
  private:
+  /// What model.implementation = "paper" means where the case says nothing itself.
+  void take_printed_defaults() {
+    result_.model.yield_fit = YieldFit::paper;
+    result_.model.bed_shear = BedShear::paper;
+    sediment_defaults_.consistency = 1.54;  // [Pa s^n] 0.001 m^2/s times the paper's 1540 kg/m^3
+    sediment_defaults_.flow_index = 1.8;
+  }
+
   template <class Table>
   void read_table(const std::string& path, Table& table) {
     TableReader reader(root_.at_path(path).as_table(), path, result_.info.dimension, origins_);
@@ -148,7 +157,7 @@ class CaseReader {
       if (name.str() == "water") continue;
       const std::string path = fmt::format("materials.{}", name.str());
       TableReader reader(node.as_table(), path, result_.info.dimension, origins_);
-      result_.sediments[std::string(name.str())].describe(reader);
+      result_.sediments.try_emplace(std::string(name.str()), sediment_defaults_).first->second.describe(reader);
     }
   }
 
@@ -163,6 +172,7 @@ class CaseReader {
   const toml::table& root_;
   CaseOrigins origins_;
   Case result_;
+  SedimentParameters sediment_defaults_;
 };
 
 fs::path find_case_file(const fs::path& given) {

@@ -125,6 +125,39 @@ Json table_schema(const TableDeclaration& table) {
   return schema;
 }
 
+/// One row of what the two implementations of the three-state model differ in.
+struct Reading {
+  const char* what;
+  const char* paper;
+  const char* consistent;
+};
+constexpr Reading readings[] = {
+    {"yield coefficient K", "2 sin(phi)/(sqrt3 (3 - sin(phi))), the coefficient of I1 used on p: 0.298 at 38 deg",
+     "sin(phi), plane strain without dilation: 0.616 at 38 deg (model.yield_fit)"},
+    {"yielded sediment", "consistency 1.54 Pa s^n, flow index 1.8: a syrup, which hides the erosion law",
+     "consistency 1.5e-3 Pa s, flow index 1: a light slurry, which lets it act"},
+    {"bed shear stress", "rho (kappa du/2)^2, du summed over the water without dividing by its share",
+     "rho u*^2 by the logarithmic law from the mean of the water in reach (model.bed_shear)"},
+    {"bed surface", "sediment-only density sum below 1250 of 1540 kg/m^3, 0.81 of a full bed",
+     "below 0.85 (0.81 for smoothing_ratio > 1.55); grains that move have to be buried by 0.07 more"},
+    {"deposit to bed load", "shear stress above the critical one of the slope", "the same"},
+    {"bed load to deposit", "none: bed load never consolidates",
+     "buried; or below 0.8 of the critical stress and slower than 0.01 sqrt(g d) for sqrt(d/g)"},
+    {"bed load to suspended", "concentration <= 0.312 and speed above the lift velocity",
+     "concentration <= 0.312, stress above critical, velocity along the bed's normal above the lift velocity"},
+    {"suspended to bed load", "concentration > 0.312 or speed below the settling velocity",
+     "concentration > 0.33; or slower than the settling velocity, sinking through the water, over bed load or deposit"},
+    {"viscosity in suspension", "water's times exp[0.5 C/(1 - 39 C/64)], C share of sediment particles",
+     "water's times exp[2.5 C/(1 - 39 C/64)], C volume share of grains (Vand)"},
+};
+
+void explain_implementations(std::ostream& to) {
+  fmt::print(to, "What model.implementation changes (docs/theory.md, \"Three states\"):\n");
+  for (const Reading& r : readings) {
+    fmt::print(to, "  {}\n    paper:      {}\n    consistent: {}\n", r.what, r.paper, r.consistent);
+  }
+}
+
 }  // namespace
 
 void explain(std::ostream& to, const std::string& key) {
@@ -148,6 +181,7 @@ void explain(std::ostream& to, const std::string& key) {
       }
     }
   }
+  if (key == "sediment" || key == "implementation") explain_implementations(to);
   if (found) return;
   const auto near = nearest(key, known);
   throw InputError(fmt::format("explain: there is no key or table {}; {}", key,

@@ -78,8 +78,8 @@ void add_snapshot(const ParticleSet& particles, double time, const RunFolder& ru
   record.fronts.push_back({time, found.front});
   record.info = particles.info;
   record.last_time = time;
-  record.rest_criterion = has_sediment_states(particles) ? std::string("State deposit")
-                                                         : fmt::format("speed below {:.3g} m/s", settings.rest_speed);
+  record.rest_criterion = fmt::format("{}speed below {:.3g} m/s",
+                                      has_sediment_states(particles) ? "State deposit, " : "", settings.rest_speed);
   const bool asked =
       std::any_of(times.begin(), times.end(), [&](double wanted) { return std::abs(wanted - time) <= same_time; });
   const fs::path file = run.profiles() / profile_file_name(time);

@@ -31,7 +31,8 @@ struct ExtractionRun {
   bool damaged = false;  // part of the run could not be read or a time asked for is missing
 };
 
-/// Sediment slower than this rests, where the solver gives no State: a twentieth of sqrt(g d50) [m/s], the speed scale
+/// Sediment slower than this rests (deposits only, where the solver gives State): a twentieth of sqrt(g d50) [m/s], the
+/// speed scale
 /// of a grain; about 9 mm/s for the Louvain grains. Below it lie creep and noise of particles at rest (about 1 mm/s),
 /// above it moves what a camera sees moving.
 double rest_speed_of(const Case& resolved);

@@ -67,8 +67,9 @@ ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionS
   if (!found) return result;
   const SliceGrid& grid = *found;
   const VolumeFractions sums = sum_volume_fractions(particles, walls, grid, [&](std::size_t i) {
-    if (states) return particles.state[i] == SedimentState::deposit;
-    return knows_rest && is_slow(particles, i, settings.rest_speed);
+    if (states && particles.state[i] != SedimentState::deposit) return false;
+    if (particles.velocity.empty()) return states;
+    return is_slow(particles, i, settings.rest_speed);
   });
   const ConnectedBody fluid(sums, sums.fluid);
   const std::optional<ConnectedBody> sediment =

@@ -12,9 +12,28 @@ namespace thalweg {
 /// Names of the arrays that only checkpoints have: the state that a looked-at file would round or leave out.
 namespace checkpoint_array {
 inline constexpr const char* excess = "Excess";
-inline constexpr const char* listed_at = "ListedAt";  // three integers kept as doubles, exact
-inline constexpr const char* viscous_acceleration = "ViscousAcceleration";
+inline constexpr const char* listed_at = "ListedAt";      // three integers kept as doubles, exact
+inline constexpr const char* sediment = "SedimentState";  // structs Sediment and BedSurface, number by number
+inline constexpr const char* bed = "BedSurface";
+inline constexpr const char* state = "ResolvedState";  // State, and rest
 }  // namespace checkpoint_array
+
+/// The numbers of structs of floats, and back; a checkpoint keeps them exactly.
+template <class Struct>
+std::vector<double> numbers_of(const Struct* from, std::size_t n) {
+  static_assert(sizeof(Struct) % sizeof(float) == 0);
+  const auto* numbers = reinterpret_cast<const float*>(from);
+  return {numbers, numbers + n * (sizeof(Struct) / sizeof(float))};
+}
+template <class Struct>
+void take_numbers(const ParticleSet& from, const char* name, Struct* to, std::size_t n) {
+  const auto found = from.doubles.find(name);
+  if (found == from.doubles.end()) return;
+  auto* numbers = reinterpret_cast<float*>(to);
+  for (std::size_t i = 0; i < n * (sizeof(Struct) / sizeof(float)); ++i) {
+    numbers[i] = static_cast<float>(found->second[i]);
+  }
+}
 
 /// Brings particles to the device's arrays, fluid and walls mixed as they come; lists are made by the first step.
 template <int Dim, class Device>
@@ -29,8 +48,12 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
   p.rates.assign(n, Rates{});
   if (scene.has_sediment) p.sediment.assign(n, Sediment{});
   const auto exact_excess = from.scalars.find(checkpoint_array::excess);
-  const auto strain = from.scalars.find("StrainRate");
-  const auto viscous = from.doubles.find(checkpoint_array::viscous_acceleration);
+  const auto states = from.scalars.find(checkpoint_array::state);
+  if (scene.has_sediment) take_numbers(from, checkpoint_array::sediment, p.sediment.data(), n);
+  if (scene.has_states) {
+    p.bed.assign(n, BedSurface{});
+    take_numbers(from, checkpoint_array::bed, p.bed.data(), n);
+  }
   Index fluid = 0;
   for (Index i = 0; i < n; ++i) {
     Record& r = p.record[i];
@@ -56,12 +79,8 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
                                                   : static_cast<float>(double(from.density[i]) / rho0 - 1);
     r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
     if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
-    if (scene.has_sediment && strain != from.scalars.end()) p.sediment[i].strain_rate = strain->second[i];
-    if (scene.has_sediment && viscous != from.doubles.end()) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        p.sediment[i].viscous_acceleration[c] = static_cast<float>(viscous->second[3 * std::size_t{i} + c]);
-      }
-    }
+    if (r.phase == phase_sediment) r.state = states != from.scalars.end() ? states->second[i] : state_deposit;
+    if (!scene.may_rest && is_resting(r)) r.state = state_deposit;
   }
   p.fluid_count = fluid;
 }
@@ -101,11 +120,12 @@ class SimulationOn final : public Simulation {
     f.device = name_;
     if (p_.count == 0) return f;
     f.list_entries_per_particle = double(p_.list_entries.size()) / p_.count;
-    const double bytes = double(p_.record.size() * sizeof(Record) + p_.position.size() * sizeof(Position) +
-                                p_.count * (sizeof(float) + sizeof(std::int64_t) + 1 + sizeof(Rates) + sizeof(Place)) +
-                                p_.sediment.size() * sizeof(Sediment) + p_.list_entries.size() * sizeof(Index) +
-                                work_.viscous.coefficient.size() * sizeof(float) +
-                                work_.viscous.row.size() * sizeof(typename ViscousSystem<Device>::Row));
+    const double bytes =
+        double(p_.record.size() * sizeof(Record) + p_.position.size() * sizeof(Position) +
+               p_.count * (sizeof(float) + sizeof(std::int64_t) + 1 + sizeof(Rates) + sizeof(Place)) +
+               p_.sediment.size() * sizeof(Sediment) + p_.bed.size() * sizeof(BedSurface) +
+               p_.list_entries.size() * sizeof(Index) + work_.viscous.coefficient.size() * sizeof(float) +
+               work_.viscous.row.size() * sizeof(typename ViscousSystem<Device>::Row));
     f.bytes_per_particle = bytes / p_.count;
     f.neighbours_mean = mean_neighbours();
     return f;
@@ -129,10 +149,10 @@ class SimulationOn final : public Simulation {
       for (std::size_t c = 0; c < 3; ++c) listed[3 * i + c] = p_.listed_at[i].c[c];
     }
     if (scene_.has_sediment) {
-      auto& viscous = out.doubles[checkpoint_array::viscous_acceleration];
-      for (const Sediment& s : p_.sediment) {
-        for (const float v : s.viscous_acceleration) viscous.push_back(v);
-      }
+      out.doubles[checkpoint_array::sediment] = numbers_of(p_.sediment.data(), p_.count);
+      if (scene_.has_states) out.doubles[checkpoint_array::bed] = numbers_of(p_.bed.data(), p_.count);
+      auto& state = out.scalars[checkpoint_array::state];
+      for (Index i = 0; i < p_.count; ++i) state.push_back(p_.record[i].state);
     }
     return out;
   }
@@ -151,6 +171,7 @@ class SimulationOn final : public Simulation {
       }
     }
     neighbours::build_lists(on_, p_, scene_);
+    if (scene_.may_rest) list_active_clusters(on_, p_);
     for (Index i = 0; i < p_.count; ++i) {
       for (std::size_t c = 0; c < 3; ++c) p_.record[i].place[c] = now[i].c[c];
     }
@@ -181,11 +202,26 @@ class SimulationOn final : public Simulation {
     strain.resize(n);
     effective.resize(n);
     yield.resize(n);
+    std::vector<float>* resting = scene_.may_rest ? &out.scalars["Resting"] : nullptr;
+    if (resting != nullptr) resting->assign(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
       if (p_.record[i].phase == phase_sediment) out.viscosity[i] = p_.record[i].viscosity;
       strain[i] = p_.sediment[i].strain_rate;
       effective[i] = p_.sediment[i].effective_pressure;
       yield[i] = p_.sediment[i].yield_stress;
+      if (resting != nullptr && is_resting(p_.record[i])) (*resting)[i] = 1;
+    }
+    if (scene_.has_states) copy_states(out);
+  }
+
+  void copy_states(ParticleSet& out) {
+    auto& shields = out.scalars["ShieldsNumber"];
+    shields.resize(p_.count);
+    out.state.resize(p_.count);
+    for (Index i = 0; i < p_.count; ++i) {
+      const float state = is_resting(p_.record[i]) ? state_deposit : p_.record[i].state;
+      out.state[i] = static_cast<SedimentState>(static_cast<int>(state));
+      shields[i] = shields_number(p_.bed[i].shear_stress, scene_.erosion.grain_weight);
     }
   }
 

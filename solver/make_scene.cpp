@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "solver/physics/drucker_prager.hpp"
+#include "solver/physics/lift_settling.hpp"
 
 namespace thalweg {
 namespace {
@@ -30,10 +31,63 @@ SedimentScene make_sediment(const Case& from) {
   const YieldFit fit = from.model.yield_fit;
   out.yield_coefficient = static_cast<float>(yield_pressure_coefficient(s.friction_angle, fit));
   out.yield_cohesion = static_cast<float>(yield_cohesion_term(s.cohesion, s.friction_angle, fit));
+  out.friction_tangent = static_cast<float>(std::tan(s.friction_angle));
   out.regularisation = static_cast<float>(s.regularisation);
   out.consistency = static_cast<float>(s.consistency);
   out.flow_index = static_cast<float>(s.flow_index);
   out.submerged_weight = static_cast<float>((s.bed_density() - s.pore_density) * -from.domain.gravity.z());
+  return out;
+}
+
+template <int Dim>
+ErosionScene<Dim> make_erosion(const Case& from) {
+  const SedimentParameters& s = from.sediment();
+  const double g = from.domain.gravity.norm();
+  const double rho = from.water.density;
+  const double viscosity = from.water.viscosity;
+  if (!(viscosity > 0)) {
+    throw InputError(from.file.string() +
+                     ": materials.water.viscosity: sediment = \"three-state\" needs it for shear stress and settling; "
+                     "give it, or write sediment = \"viscoplastic\"");
+  }
+  ErosionScene<Dim> out;
+  const double d_star = dimensionless_diameter(s.grain_diameter, s.grain_density, rho, g, viscosity);
+  out.bed_shear = from.model.bed_shear;
+  out.as_printed = from.model.implementation == Implementation::paper;
+  // Sums over a lattice with the top layer left out lie between the two (docs/theory.md).
+  out.surface_fill = out.as_printed || from.numerics.smoothing_ratio > 1.55 ? 0.81F : 0.85F;
+  out.fill_hysteresis = out.as_printed ? 0 : 0.07F;
+  out.diameter = static_cast<float>(s.grain_diameter);
+  out.roughness = static_cast<float>(s.roughness > 0 ? s.roughness : s.grain_diameter);
+  out.grain_density = static_cast<float>(s.grain_density);
+  out.grain_weight = static_cast<float>(grain_weight_stress(s.grain_density, rho, g, s.grain_diameter));
+  out.gravity = static_cast<float>(g);
+  for (int k = 0; k < Dim; ++k) out.down[k] = static_cast<float>(from.domain.gravity[axis<Dim>(k)] / g);
+  out.critical_shields = static_cast<float>(s.critical_shields);
+  out.lift_ratio = static_cast<float>(s.lift_ratio);
+  out.dimensionless_diameter = static_cast<float>(d_star);
+  out.settling_velocity = static_cast<float>(settling_velocity(d_star, s.grain_diameter, viscosity / rho));
+  out.dilute = 0.312F;
+  out.dense = 0.33F;
+  out.return_stress = 0.8F;
+  out.return_speed = static_cast<float>(0.01 * std::sqrt(g * s.grain_diameter));
+  out.return_time = static_cast<float>(std::sqrt(s.grain_diameter / g));
+  out.solids_share = out.as_printed ? 1 : static_cast<float>(1 - s.porosity);
+  out.einstein_coefficient = out.as_printed ? 0.5F : 2.5F;
+  return out;
+}
+
+/// Sediment is calm while its stress is below 86 % of the yield stress (m gdot/2 = 2), or it is sheared by less than 1
+/// % in a second; it has to be slower than what moves it by 2 % of a spacing, for the time a grain needs to fall two
+/// spacings.
+RestCriteria make_rest(const Case& from) {
+  const double g = from.domain.gravity.norm();
+  const double dp = from.numerics.spacing;
+  RestCriteria out;
+  out.shear_rate = static_cast<float>(std::max(4 / from.sediment().regularisation, 0.01));
+  out.wake_shear_rate = 1.5F * out.shear_rate;
+  out.speed = static_cast<float>(0.01 * std::sqrt(g * dp));
+  out.time = static_cast<float>(2 * std::sqrt(dp / g));
   return out;
 }
 
@@ -114,6 +168,10 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   if (s.has_sediment) {
     s.sediment = make_sediment(from);
     s.sediment_density = static_cast<float>(from.sediment().bed_density());
+    s.has_states = from.model.sediment == SedimentModel::three_state;
+    if (s.has_states) s.erosion = make_erosion<Dim>(from);
+    s.may_rest = from.model.rest && from.domain.gravity.norm() > 0;
+    if (s.may_rest) s.rest = make_rest(from);
   }
   return s;
 }

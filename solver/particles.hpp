@@ -28,7 +28,25 @@ struct Sediment {
   float strain_rate;              // gdot = sqrt(2 D:D) [1/s]
   float effective_pressure;       // [Pa]
   float yield_stress;             // [Pa]
+  float bed_slope;                // tangent of the slope of the bed's surface above or below [-]
+  float calm;                     // for how long it has been below yield and slow [s] (passes/rest.hpp)
   float viscous_acceleration[3];  // of the last implicit solve [m/s^2], where the next one starts
+};
+
+/// What the sediment's surface is like around a particle; kept only where sediment has states, zero where no water is
+/// in reach (passes/bed_states.hpp).
+struct BedSurface {
+  float fill;               // sum over sediment of V W, 1 inside a bed [-]
+  float concentration;      // share of the sediment in the fluid volume within the support [-]
+  float normal[3];          // out of the bed, unit
+  float water_share;        // sum over water of V W [-]
+  float water_velocity[3];  // mean of the water in reach [m/s]
+  float water_height;       // of that water over the surface, along the normal [m]
+  float bed_velocity[3];    // mean of the deposits in reach, 0 without [m/s]
+  float settled_share;      // sum over sediment that is not suspended of V W, itself left out [-]
+  float shear_stress;       // tau_b [Pa]
+  float critical_stress;    // tau_b at which this grain starts to move [Pa]
+  float calm;               // for how long the grain could have become a deposit again [s]
 };
 
 /// All particles on a device, in the order of the neighbour lists: fluid first, walls after, one zero-volume record
@@ -48,14 +66,25 @@ struct Particles {
   Buffer<std::uint8_t> type;
   Buffer<Rates> rates;
   Buffer<Sediment> sediment;
+  Buffer<BedSurface> bed;         // empty unless sediment has states
+  Buffer<std::uint8_t> stopping;  // scratch of passes/rest.hpp; empty unless sediment may rest
 
   // Neighbour lists (passes/neighbours.hpp) and the places they were built for.
   Buffer<Place> listed_at;  // empty: no list yet
   Buffer<Index> list_begin;
   Buffer<Index> list_entries;
-  Buffer<Index> clusters_with_sediment;  // fluid clusters with sediment in or within reach
-  Buffer<Index> clusters_of_walls;       // wall clusters with fluid in reach
-  Buffer<Index> clusters_of_water;       // fluid clusters that are not in clusters_with_sediment
+  Buffer<Index> clusters_with_sediment;   // fluid clusters with sediment in or within reach
+  Buffer<Index> clusters_of_walls;        // wall clusters with fluid in reach
+  Buffer<Index> clusters_of_water;        // fluid clusters that are not in clusters_with_sediment
+  Buffer<Index> clusters_at_bed_surface;  // fluid clusters that have sediment, and water in reach
+
+  // Where some sediment rests (passes/rest.hpp), the part of those that has to be computed.
+  bool any_resting = false;
+  Buffer<Index> clusters_active;           // of clusters_with_sediment: some member does not rest
+  Buffer<Index> clusters_shore;            // of clusters_with_sediment: all members rest, something active in reach
+  Buffer<Index> clusters_part_resting;     // of clusters_active: some member rests
+  Buffer<Index> clusters_of_walls_active;  // of clusters_of_walls: something active in reach
+
   Index fluid_clusters = 0;
   Index clusters = 0;
 
@@ -63,14 +92,30 @@ struct Particles {
     return {list_begin.data(), list_entries.data(), fluid_clusters, clusters, fluid_count, count};
   }
   [[nodiscard]] ClusterRange all_fluid() const { return {nullptr, fluid_clusters}; }
-  [[nodiscard]] ClusterRange near_sediment() const { return range(clusters_with_sediment); }
+  [[nodiscard]] ClusterRange near_sediment() const {
+    return range(any_resting ? clusters_active : clusters_with_sediment);
+  }
   [[nodiscard]] ClusterRange pure_water() const { return range(clusters_of_water); }
-  [[nodiscard]] ClusterRange walls_near_fluid() const { return range(clusters_of_walls); }
+  [[nodiscard]] ClusterRange walls_near_fluid() const {
+    return range(any_resting ? clusters_of_walls_active : clusters_of_walls);
+  }
+  [[nodiscard]] ClusterRange at_bed_surface() const { return range(clusters_at_bed_surface); }
+  [[nodiscard]] ClusterRange shore() const { return range(clusters_shore); }
+  [[nodiscard]] ClusterRange part_resting() const { return range(clusters_part_resting); }
 
  private:
   static ClusterRange range(const Buffer<Index>& clusters) {
     return {clusters.data(), static_cast<Index>(clusters.size())};
   }
 };
+
+/// Calls body(i) for every particle of the clusters in range.
+template <class Device, class Body>
+void for_each_member(Device& on, const ClusterList& list, ClusterRange range, const Body& body) {
+  on.for_each(range.count, [=](Index n) {
+    const Index c = range[n];
+    for (Index i = list.first(c); i < list.last(c); ++i) body(i);
+  });
+}
 
 }  // namespace thalweg

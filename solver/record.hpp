@@ -14,6 +14,14 @@ inline constexpr float phase_wall = 0;
 inline constexpr float phase_water = 1;
 inline constexpr float phase_sediment = 2;
 
+/// What a sediment particle is doing: SedimentState of common/particles.hpp as a float, and `resting`: a deposit that
+/// has come to rest exactly and is to its neighbours what a wall is (passes/rest.hpp).
+inline constexpr float state_none = 0;
+inline constexpr float state_deposit = 1;
+inline constexpr float state_bed_load = 2;
+inline constexpr float state_suspended = 3;
+inline constexpr float state_resting = 4;
+
 /// What a pair sweep reads of a particle: 64 bytes, one cache line, four quads (solver/backend/openmp.hpp loads quads).
 /// `place` counts quanta of the domain's extent (Lattice in scene.hpp), so that differences are exact in 32 bits and
 /// wrap around periodic directions by themselves; the position proper is kept in double beside it.
@@ -25,13 +33,15 @@ struct alignas(64) Record {
   float excess;           // rho/rho0 - 1 [-]
   float viscosity;        // [Pa s]
   float phase;            // phase_wall, phase_water, phase_sediment
-  float spare;
-  float work[4];  // a vector of the implicit viscous solve
+  float state;            // state_none (no sediment), state_deposit …
+  float work[4];          // a vector of the implicit viscous solve
 };
 static_assert(sizeof(Record) == 64);
 
 /// Quads of a record a sweep can ask for.
 enum Quads : unsigned { quad_place = 1, quad_motion = 2, quad_matter = 4, quad_work = 8 };
+
+HOST_DEVICE inline bool is_resting(const Record& r) { return r.state == state_resting; }
 
 /// One record in lanes: L is float (one pair at a time) or a pack (several), I the matching integer.
 template <int Dim, class L, class I>
@@ -43,6 +53,7 @@ struct Lane {
   L excess;
   L viscosity;
   L phase;
+  L state;
   Vec<Dim, L> work;
 };
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* history_header =
     "time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_energy [J],internal_energy [J],water_mass [kg],"
-    "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-]";
+    "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-],"
+    "resting [-],bed_load [-],suspended [-]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -83,10 +84,13 @@ void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
 }
 
 void RunOutput::history(const Totals& t, const StepReport& report, const RunClock& clock, const RunCounts& counts) {
-  fmt::print(history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g}\n", clock.time,
-             clock.step, report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy,
-             t.internal_energy, t.water_mass, t.sediment_mass, counts.excluded, report.largest_speed,
-             report.viscous.iterations, report.viscous.residual);
+  const double of_sediment = static_cast<double>(std::max<std::int64_t>(1, t.sediment));
+  const auto share = [&](std::int64_t n) { return static_cast<double>(n) / of_sediment; };
+  fmt::print(
+      history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g},{:.4g},{:.4g},{:.4g}\n",
+      clock.time, clock.step, report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy,
+      t.internal_energy, t.water_mass, t.sediment_mass, counts.excluded, report.largest_speed,
+      report.viscous.iterations, report.viscous.residual, share(t.resting), share(t.bed_load), share(t.suspended));
   flush_row(history_, folder_.history());
 }
 

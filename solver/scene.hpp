@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/lattice.hpp"
+#include "solver/physics/bed_shear.hpp"
 #include "solver/physics/equation_of_state.hpp"
 #include "solver/physics/kernel.hpp"
 #include "solver/record.hpp"
@@ -11,10 +12,45 @@ namespace thalweg {
 struct SedimentScene {
   float yield_coefficient = 0;  // K [-]
   float yield_cohesion = 0;     // [Pa]
+  float friction_tangent = 0;   // tan(phi) [-]
   float regularisation = 0;     // [s]
   float consistency = 0;        // [Pa s^n]
   float flow_index = 1;         // [-]
   float submerged_weight = 0;   // (rho_bed - rho_pore) g [N/m^3]
+};
+
+/// Constants of erosion, suspension and settling as passes/bed_states.hpp uses them.
+template <int Dim>
+struct ErosionScene {
+  BedShear bed_shear = BedShear::log_law;
+  bool as_printed = false;            // the paper's printed tests in place of the consistent ones
+  float surface_fill = 0;             // sediment with less of its kernel filled by sediment is surface [-]
+  float fill_hysteresis = 0;          // more than that, for grains that move [-]
+  float diameter = 0;                 // d50 [m]
+  float roughness = 0;                // ks [m]
+  float grain_density = 0;            // [kg/m^3]
+  float grain_weight = 0;             // (rho_s - rho_w) g d [Pa]
+  float gravity = 0;                  // [m/s^2]
+  Vec<Dim, float> down{};             // unit
+  float critical_shields = 0;         // [-]; 0: by the grain Reynolds number
+  float lift_ratio = 0;               // eta [-]
+  float dimensionless_diameter = 0;   // d* [-]
+  float settling_velocity = 0;        // [m/s]
+  float dilute = 0;                   // concentration up to which grains are lifted off [-]
+  float dense = 0;                    // above which suspended ones are bed load again [-]
+  float return_stress = 0;            // of the critical one, below which bed load may stop [-]
+  float return_speed = 0;             // [m/s]
+  float return_time = 0;              // [s]
+  float solids_share = 0;             // 1 - porosity [-]
+  float einstein_coefficient = 2.5F;  // of Vand's viscosity [-]
+};
+
+/// When sediment comes to rest and wakes again (passes/rest.hpp).
+struct RestCriteria {
+  float shear_rate = 0;       // [1/s] below which sediment is calm: 86 % of the yield stress
+  float wake_shear_rate = 0;  // [1/s] above which it wakes: 95 % of the yield stress
+  float speed = 0;            // [m/s] below which sediment is calm
+  float time = 0;             // [s] for which it has to be
 };
 
 /// Everything about a scene that does not change while it runs, as the passes use it (single precision where a pair sum
@@ -46,13 +82,21 @@ struct Scene {
   double viscous_tolerance = 0;
 
   bool has_sediment = false;
+  bool has_states = false;  // of sediment
+  bool may_rest = false;    // sediment
+  RestCriteria rest;
+  ErosionScene<Dim> erosion;
   SedimentScene sediment;
 
   HOST_DEVICE float density_at_rest(float phase) const {
     return phase == phase_sediment ? sediment_density : water_density;
   }
   HOST_DEVICE float stiffness(float phase) const { return tait_stiffness(density_at_rest(phase), sound_speed); }
-  [[nodiscard]] float support() const { return static_cast<float>(2 * smoothing_length); }
+  /// Along direction k of the scene, from place b to place a [m].
+  [[nodiscard]] HOST_DEVICE float distance(int k, std::int32_t a, std::int32_t b) const {
+    return static_cast<float>(Lattice<Dim>::difference(a, b)) * lattice.quantum[k];
+  }
+  [[nodiscard]] HOST_DEVICE float support() const { return static_cast<float>(2 * smoothing_length); }
 };
 
 }  // namespace thalweg

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "solver/passes/bed_states.hpp"
 #include "solver/passes/continuity.hpp"
 #include "solver/passes/integrate.hpp"
 #include "solver/passes/momentum.hpp"
 #include "solver/passes/neighbours.hpp"
 #include "solver/passes/pressure.hpp"
+#include "solver/passes/rest.hpp"
 #include "solver/passes/sediment_strength.hpp"
 #include "solver/passes/time_step.hpp"
 #include "solver/passes/viscosity.hpp"
@@ -48,12 +50,19 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
                    Timing& timing) {
   using H = Heading;
   StepResult result;
+  const std::int64_t lists_before = work.list_rebuilds;
   timing.time(H::refresh_neighbours, [&] { result.excluded = refresh_neighbours(on, p, scene, work.list_rebuilds); });
+  const bool new_lists = work.list_rebuilds != lists_before;
   timing.time(H::apply_equation_of_state, [&] { apply_equation_of_state(on, p, scene); });
-  timing.time(H::extrapolate_to_walls, [&] { extrapolate_to_walls(on, p, scene); });
-  if (scene.has_sediment) {
-    timing.time(H::update_sediment_strength, [&] { update_sediment_strength(on, p, scene, work.weight); });
+  if (new_lists && scene.has_sediment) {
+    timing.time(H::weigh_sediment, [&] { weigh_sediment(on, p, scene, work.weight); });
   }
+  if (new_lists && scene.may_rest) timing.time(H::update_rest, [&] { list_active_clusters(on, p); });
+  timing.time(H::extrapolate_to_walls, [&] {
+    if (p.any_resting) extrapolate_to_resting(on, p, scene);
+    extrapolate_to_walls(on, p, scene);
+  });
+  if (scene.has_sediment) timing.time(H::apply_rheology, [&] { apply_rheology(on, p, scene); });
   timing.time(H::compute_accelerations, [&] { compute_accelerations(on, p, scene); });
   timing.time(H::stable_time_step, [&] { result.step = stable_time_step(on, p, scene); });
   if (has_diverged(result)) return result;
@@ -70,6 +79,14 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
   timing.time(H::update_density, [&] { update_density(on, p, dt); });
   timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
+  bool woken = false;
+  if (scene.has_states) {
+    timing.time(H::update_bed_states, [&] {
+      if (new_lists) clear_bed_surface(on, p);
+      woken = update_bed_states(on, p, scene, dt);
+    });
+  }
+  if (scene.may_rest) timing.time(H::update_rest, [&] { update_rest(on, p, scene, dt, woken); });
   return result;
 }
 

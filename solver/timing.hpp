@@ -10,7 +10,9 @@ enum class Heading {
   refresh_neighbours,
   apply_equation_of_state,
   extrapolate_to_walls,
-  update_sediment_strength,
+  weigh_sediment,
+  update_bed_states,
+  apply_rheology,
   compute_accelerations,
   stable_time_step,
   kick,
@@ -18,6 +20,7 @@ enum class Heading {
   drift,
   compute_density_rates,
   update_density,
+  update_rest,
   output,
   count
 };
@@ -26,7 +29,9 @@ inline constexpr std::array<const char*, static_cast<std::size_t>(Heading::count
     "refresh_neighbours",
     "apply_equation_of_state",
     "extrapolate_to_walls",
-    "update_sediment_strength",
+    "weigh_sediment",
+    "update_bed_states",
+    "apply_rheology",
     "compute_accelerations",
     "stable_time_step",
     "kick",
@@ -34,6 +39,7 @@ inline constexpr std::array<const char*, static_cast<std::size_t>(Heading::count
     "drift",
     "compute_density_rates",
     "update_density",
+    "update_rest",
     "output"};
 
 /// Seconds and calls per heading.

@@ -136,6 +136,7 @@ struct OpenMp {
       lane.excess = splat_in_groups<0>(matter);
       lane.viscosity = splat_in_groups<1>(matter);
       lane.phase = splat_in_groups<2>(matter);
+      lane.state = splat_in_groups<3>(matter);
     }
     if constexpr ((quads & quad_work) != 0) lane.work = read_vector<Dim>(quad_of(3));
     return lane;
@@ -176,6 +177,7 @@ struct OpenMp {
     lane.excess = gather([](const Record& r) { return r.excess; });
     lane.viscosity = gather([](const Record& r) { return r.viscosity; });
     lane.phase = gather([](const Record& r) { return r.phase; });
+    lane.state = gather([](const Record& r) { return r.state; });
     return lane;
   }
 

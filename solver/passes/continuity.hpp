@@ -42,6 +42,7 @@ struct ContinuitySweep {
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const { end(i, sum.compression, sum.diffusion); }
 
   HOST_DEVICE void end(Index i, float compression, float diffusion) const {
+    if (is_resting(records[i])) return;
     rates[i].excess_rate = (1 + records[i].excess) * compression + scene.diffusion * diffusion;
   }
 };
@@ -133,14 +134,17 @@ struct ContinuityAndStrainSweep {
   }
 };
 
-/// Pure water takes the light sweep, clusters with sediment in reach the one with the velocity gradient.
+/// Pure water takes the light sweep, clusters with sediment in reach the one with the velocity gradient; so does the
+/// resting sediment that moving neighbours may wake.
 template <int Dim, class Device>
 void compute_density_rates(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   const ContinuitySweep<Dim> water{p.record.data(), p.rates.data(), scene};
   on.template sweep<Dim>(p.list(), p.pure_water(), p.record.data(), scene.lattice.quantum, water);
   if (!scene.has_sediment) return;
-  on.template sweep<Dim>(p.list(), p.near_sediment(), p.record.data(), scene.lattice.quantum,
-                         ContinuityAndStrainSweep<Dim>{water, p.sediment.data()});
+  for (const ClusterRange range : {p.near_sediment(), p.any_resting ? p.shore() : ClusterRange{nullptr, 0}}) {
+    on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum,
+                           ContinuityAndStrainSweep<Dim>{water, p.sediment.data()});
+  }
 }
 
 }  // namespace thalweg

@@ -13,6 +13,11 @@ struct Totals {
   double water_mass = 0;           // [kg]
   double sediment_mass = 0;        // [kg]
   double momentum[3] = {0, 0, 0};  // [kg m/s]
+  // Sediment particles: of all, at rest, and in the states they may have.
+  std::int64_t sediment = 0;
+  std::int64_t resting = 0;
+  std::int64_t bed_load = 0;
+  std::int64_t suspended = 0;
 
   HOST_DEVICE Totals& operator+=(const Totals& b) {
     kinetic_energy += b.kinetic_energy;
@@ -21,6 +26,10 @@ struct Totals {
     water_mass += b.water_mass;
     sediment_mass += b.sediment_mass;
     for (int c = 0; c < 3; ++c) momentum[c] += b.momentum[c];
+    sediment += b.sediment;
+    resting += b.resting;
+    bed_load += b.bed_load;
+    suspended += b.suspended;
     return *this;
   }
 };
@@ -46,6 +55,10 @@ Totals sum_totals(Device& on, const Particles<Device>& p, const Scene<Dim>& scen
         for (int k = 0; k < Dim; ++k) t.potential_energy -= m * double(scene.gravity[k]) * positions[i].x[axis<Dim>(k)];
         t.internal_energy = m * tait_energy(r.excess, scene.sound_speed);
         (r.phase == phase_sediment ? t.sediment_mass : t.water_mass) = m;
+        t.sediment = r.phase == phase_sediment ? 1 : 0;
+        t.resting = is_resting(r) ? 1 : 0;
+        t.bed_load = r.state == state_bed_load ? 1 : 0;
+        t.suspended = r.state == state_suspended ? 1 : 0;
         return t;
       },
       [](Totals a, const Totals& b) { return a += b; });

@@ -50,6 +50,7 @@ struct MomentumSweep {
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
     const Record& r = records[i];
+    if (is_resting(r)) return;
     const float specific_volume = 1 / (scene.density_at_rest(r.phase) * (1 + r.excess));
     for (int k = 0; k < Dim; ++k) {
       rates[i].acceleration[axis<Dim>(k)] = scene.gravity[k] + sum.force[k] * specific_volume;
@@ -59,8 +60,13 @@ struct MomentumSweep {
 
 template <int Dim, class Device>
 void compute_accelerations(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  const auto sweep_over = [&](ClusterRange range, const auto& body) {
+    on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body);
+  };
   const auto sweep = [&](const auto& body) {
-    on.template sweep<Dim>(p.list(), p.all_fluid(), p.record.data(), scene.lattice.quantum, body);
+    if (!p.any_resting) return sweep_over(p.all_fluid(), body);
+    sweep_over(p.pure_water(), body);
+    sweep_over(p.near_sediment(), body);
   };
   if (scene.wall_friction) {
     sweep(MomentumSweep<Dim, true>{p.record.data(), p.rates.data(), scene});

@@ -172,6 +172,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
   scratch_reorder(p.type);
   scratch_reorder(p.rates);
   if (scene.has_sediment) scratch_reorder(p.sediment);
+  if (scene.has_states) scratch_reorder(p.bed);
 
   const Index wall_begin = static_cast<Index>(std::lower_bound(key.begin(), key.end(), wall_section) - key.begin());
   const Index end = static_cast<Index>(std::lower_bound(key.begin(), key.end(), excluded_section) - key.begin());
@@ -189,6 +190,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
     p.type.resize(end);
     p.rates.resize(end);
     if (scene.has_sediment) p.sediment.resize(end);
+    if (scene.has_states) p.bed.resize(end);
   }
   p.count = end;
   p.fluid_count = wall_begin;
@@ -283,29 +285,39 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   p.list_entries.resize(std::size_t{total} + std::size_t{2} * list_prefetch);
   list = p.list();
 
-  typename Device::template Buffer<std::uint8_t> with_sediment(p.clusters);
+  constexpr std::uint8_t reaches_sediment = 1, reaches_water = 2, has_sediment = 4;
+  typename Device::template Buffer<std::uint8_t> about(p.clusters);
   {
     Index* entries = p.list_entries.data();
-    std::uint8_t* sediment = with_sediment.data();
+    std::uint8_t* flags = about.data();
     const Record* records = p.record.data();
     on.for_each(p.clusters, [=](Index cluster) {
       Index at = list.begin[cluster];
-      bool has_sediment = false;
+      std::uint8_t f = 0;
+      for (Index i = list.first(cluster); i < list.last(cluster); ++i) {
+        if (records[i].phase == phase_sediment) f |= has_sediment;
+      }
       search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1, [&](Index j) {
         entries[at++] = j;
-        has_sediment = has_sediment || records[j].phase == phase_sediment;
+        if (records[j].phase == phase_sediment) f |= reaches_sediment;
+        if (records[j].phase == phase_water) f |= reaches_water;
       });
       for (; at < list.begin[cluster + 1]; ++at) entries[at] = list.count;
-      sediment[cluster] = has_sediment ? 1 : 0;
+      flags[cluster] = f;
     });
     for (Index e = total; e < total + 2 * list_prefetch; ++e) entries[e] = p.count;
   }
 
-  const std::uint8_t* sediment = with_sediment.data();
+  const std::uint8_t* flags = about.data();
   on.select(
-      p.fluid_clusters, [=](Index c) { return sediment[c] != 0; }, p.clusters_with_sediment);
+      p.fluid_clusters, [=](Index c) { return (flags[c] & reaches_sediment) != 0; }, p.clusters_with_sediment);
   on.select(
-      p.fluid_clusters, [=](Index c) { return sediment[c] == 0; }, p.clusters_of_water);
+      p.fluid_clusters, [=](Index c) { return (flags[c] & reaches_sediment) == 0; }, p.clusters_of_water);
+  if (scene.has_states) {
+    constexpr std::uint8_t both = has_sediment | reaches_water;
+    on.select(
+        p.fluid_clusters, [=](Index c) { return (flags[c] & both) == both; }, p.clusters_at_bed_surface);
+  }
   const Index fluid_clusters = p.fluid_clusters;
   on.select(
       p.clusters - p.fluid_clusters,

@@ -5,7 +5,8 @@
 
 namespace thalweg {
 
-/// Particle pass: p from the density excess by the phase's equation of state, volume from mass and density.
+/// Particle pass: p from the density excess by the phase's equation of state, volume from mass and density. Particles
+/// at rest have theirs from extrapolate_to_resting.
 template <int Dim>
 struct EquationOfStatePass {
   Record* records;
@@ -14,7 +15,7 @@ struct EquationOfStatePass {
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
-    if (r.volume == 0) return;
+    if (r.volume == 0 || is_resting(r)) return;
     r.pressure = tait_pressure(r.excess, scene.stiffness(r.phase));
     r.volume = mass[i] / (scene.density_at_rest(r.phase) * (1 + r.excess));
   }
@@ -25,11 +26,11 @@ void apply_equation_of_state(Device& on, Particles<Device>& p, const Scene<Dim>&
   on.for_each(p.fluid_count, EquationOfStatePass<Dim>{p.record.data(), p.mass.data(), scene});
 }
 
-/// Pair sweep over wall particles: pressure extrapolated from the fluid in reach, balanced for gravity (Adami, Hu &
-/// Adams 2012, J. Comput. Phys. 231, 7057-7075, eq. 27):
+/// Pair sweep: pressure extrapolated from the moving fluid in reach, balanced for gravity (Adami, Hu & Adams 2012, J.
+/// Comput. Phys. 231, 7057-7075, eq. 27):
 ///   p_w = sum_f [p_f + rho_f g.(x_w - x_f)] V_f W / sum_f V_f W,  not below zero: a wall does not pull.
 template <int Dim>
-struct WallPressureSweep {
+struct ExtrapolatedPressureSweep {
   static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
   template <class L>
   struct Sum {
@@ -37,13 +38,13 @@ struct WallPressureSweep {
     L pressure;
   };
 
-  Record* records;
   Scene<Dim> scene;
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT&, const LaneT& f, const Sep& s, std::size_t, Sum<L>& sum) const {
     const L W = scene.kernel.value(scene.kernel.closeness(lane_sqrt(s.r2)));
-    const L weight = f.volume * W;
+    const L moving = lane_select(f.state > L(state_resting - 0.5F), L(0.0F), f.volume);
+    const L weight = lane_select(f.phase > L(phase_wall + 0.5F), moving * W, L(0.0F));
     L g_dot_r = s.r[0] * L(scene.gravity[0]);
     for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + s.r[k] * L(scene.gravity[k]);
     const L rho0 = lane_select(f.phase > L(phase_water + 0.5F), L(scene.sediment_density), L(scene.water_density));
@@ -51,16 +52,52 @@ struct WallPressureSweep {
     sum.pressure += weight * (f.pressure + rho0 * (L(1.0F) + f.excess) * g_dot_r);
   }
 
-  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+  HOST_DEVICE static float pressure(const Sum<float>& sum) {
     const float p = sum.weight > 0 ? sum.pressure / sum.weight : 0;
-    records[i].pressure = p > 0 ? p : 0;
+    return p > 0 ? p : 0;
+  }
+};
+
+/// The same over wall particles.
+template <int Dim>
+struct WallPressureSweep : ExtrapolatedPressureSweep<Dim> {
+  template <class L>
+  using Sum = typename ExtrapolatedPressureSweep<Dim>::template Sum<L>;
+  Record* records;
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const { records[i].pressure = this->pressure(sum); }
+};
+
+/// The same over sediment at rest: it takes the density of that pressure along, so that a particle which wakes goes on
+/// with the pressure its neighbours have felt.
+template <int Dim>
+struct RestingPressureSweep : ExtrapolatedPressureSweep<Dim> {
+  template <class L>
+  using Sum = typename ExtrapolatedPressureSweep<Dim>::template Sum<L>;
+  Record* records;
+  const float* mass;
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    Record& r = records[i];
+    if (!is_resting(r) || !(sum.weight > 0)) return;
+    r.pressure = this->pressure(sum);
+    r.excess = tait_excess(r.pressure, this->scene.stiffness(r.phase));
+    r.volume = mass[i] / (this->scene.density_at_rest(r.phase) * (1 + r.excess));
   }
 };
 
 template <int Dim, class Device>
 void extrapolate_to_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   on.template sweep<Dim>(p.list(), p.walls_near_fluid(), p.record.data(), scene.lattice.quantum,
-                         WallPressureSweep<Dim>{p.record.data(), scene});
+                         WallPressureSweep<Dim>{{scene}, p.record.data()});
+}
+
+template <int Dim, class Device>
+void extrapolate_to_resting(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  for (const ClusterRange range : {p.shore(), p.part_resting()}) {
+    on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum,
+                           RestingPressureSweep<Dim>{{scene}, p.record.data(), p.mass.data()});
+  }
 }
 
 }  // namespace thalweg

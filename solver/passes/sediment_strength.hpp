@@ -4,10 +4,12 @@
 
 #include "solver/particles.hpp"
 #include "solver/physics/herschel_bulkley.hpp"
+#include "solver/physics/suspension_viscosity.hpp"
 
 // The sediment's strength: effective pressure = submerged weight of the sediment above, yield stress by Drucker-Prager,
 // apparent viscosity by Herschel-Bulkley-Papanastasiou. The dynamic pressure of the water does not enter: it would turn
-// wave impact into strength (docs/theory.md).
+// wave impact into strength (docs/theory.md). Weights follow the places of the particles and are taken anew when the
+// neighbour lists are; until then no particle has moved by more than half the lists' skin.
 namespace thalweg {
 
 /// Volume of sediment above each node of a lattice of columns one spacing apart. Volumes are summed as integers, so
@@ -16,8 +18,13 @@ template <class Device>
 struct ColumnWeight {
   typename Device::template Buffer<std::int64_t> deposited;  // per node, in volume quanta
   typename Device::template Buffer<float> height_above;      // per node [m]
+  typename Device::template Buffer<float> surface;           // per column: height of the bed's surface over node 0 [m]
+  typename Device::template Buffer<float> slope;             // per column: tangent of the surface's steepest slope
   typename Device::template Buffer<std::uint8_t> wetted;     // per column: any fluid here
 };
+
+/// A column without a bed to speak of: less than one spacing of sediment.
+inline constexpr float no_surface = -1;
 
 template <int Dim>
 struct ColumnLattice {
@@ -102,48 +109,120 @@ struct DepositPass {
   }
 };
 
-/// Pass over the columns: height of sediment above each node, its own half included.
+/// Pass over the columns: height of sediment above each node, its own half included, and the bed's surface: where one
+/// spacing of sediment lies above, so that flying grains are not taken for it. Sediment that hovers over a gap, a node
+/// with less than a tenth of a full one, is no load on what lies below.
 template <int Dim>
 struct HeightAbovePass {
   ColumnLattice<Dim> columns;
   const std::int64_t* deposited;
   float* height_above;
+  float* surface;
   float height_per_quantum;  // [m]
+  float spacing;             // [m]
 
   HOST_DEVICE void operator()(Index column) const {
     const int levels = columns.levels();
     const std::int64_t base = static_cast<std::int64_t>(column) * levels;
     std::int64_t above = 0;
+    float next = 0;
+    surface[column] = no_surface;
     for (int level = levels - 1; level >= 0; --level) {
       const std::int64_t own = deposited[base + level];
-      height_above[base + level] = static_cast<float>(2 * above + own) * (0.5F * height_per_quantum);
+      if (static_cast<float>(own) * height_per_quantum < 0.1F * spacing) above = 0, next = 0;
+      const float height = static_cast<float>(2 * above + own) * (0.5F * height_per_quantum);
+      if (next < spacing && height >= spacing) {
+        surface[column] = (static_cast<float>(level) + (height - spacing) / (height - next)) * spacing;
+      }
+      height_above[base + level] = next = height;
       above += own;
     }
   }
 };
 
-/// Particle pass: effective pressure, yield stress, viscosity. The height above is averaged over the wetted columns
-/// within a support to either side, so that single particles at the surface do not make steps of strength.
+/// Pass over the columns: tangent of the slope of the plane that fits the bed's surface best within a support to either
+/// side, weighted towards the middle; 0 where too few columns have a bed.
 template <int Dim>
-struct StrengthPass {
+struct ColumnSlopePass {
+  ColumnLattice<Dim> columns;
+  const float* surface;
+  float* slope;
+  float spacing;  // [m]
+  int reach;      // [spacings]
+
+  HOST_DEVICE void operator()(Index column) const {
+    const int own[2] = {static_cast<int>(column) % columns.nodes[0], static_cast<int>(column) / columns.nodes[0]};
+    const int rows = Dim == 3 ? reach : 0;
+    float w = 0, wx = 0, wy = 0, wz = 0, wxx = 0, wxy = 0, wyy = 0, wxz = 0, wyz = 0;
+    for (int dy = -rows; dy <= rows; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        int other = columns.inside(0, own[0] + dx);
+        if constexpr (Dim == 3) {
+          const int row = columns.inside(1, own[1] + dy);
+          other = other < 0 || row < 0 ? -1 : row * columns.nodes[0] + other;
+        }
+        if (other < 0 || surface[other] == no_surface) continue;
+        const float x = static_cast<float>(dx) * spacing;
+        const float y = static_cast<float>(dy) * spacing;
+        const float z = surface[other];
+        const float one = static_cast<float>(reach + 1);
+        const float weight = (1 - fabsf(static_cast<float>(dx)) / one) * (1 - fabsf(static_cast<float>(dy)) / one);
+        w += weight, wx += weight * x, wy += weight * y, wz += weight * z;
+        wxx += weight * x * x, wxy += weight * x * y, wyy += weight * y * y;
+        wxz += weight * x * z, wyz += weight * y * z;
+      }
+    }
+    slope[column] = 0;
+    if (w == 0) return;
+    const float cxx = wxx - wx * wx / w, cxz = wxz - wx * wz / w;
+    const float least = 0.5F * w * spacing * spacing;  // the spread of three columns in a row
+    if constexpr (Dim == 2) {
+      if (cxx > least) slope[column] = fabsf(cxz / cxx);
+    } else {
+      const float cyy = wyy - wy * wy / w, cxy = wxy - wx * wy / w, cyz = wyz - wy * wz / w;
+      const float det = cxx * cyy - cxy * cxy;
+      if (det < least * least) return;
+      const float sx = (cxz * cyy - cyz * cxy) / det;
+      const float sy = (cyz * cxx - cxz * cxy) / det;
+      slope[column] = sqrtf(sx * sx + sy * sy);
+    }
+  }
+};
+
+/// Particle pass: effective pressure gamma' z cos^2(beta): the pressure normal to a surface of slope beta, so that an
+/// infinite slope stands up to tan(beta) = K. The height z is averaged over the wetted columns within a support to
+/// either side, so that single particles at the surface do not make steps of strength; beta is counted up to the
+/// friction angle, what is steeper slides.
+template <int Dim>
+struct EffectivePressurePass {
   Record* records;
   const Position* positions;
   Sediment* sediment;
   ColumnLattice<Dim> columns;
   const float* height_above;
+  const float* slope;
   const std::uint8_t* wetted;
-  Scene<Dim> scene;
+  SedimentScene law;
   float reach;  // of the average, in spacings
 
   HOST_DEVICE void operator()(Index i) const {
-    Record& r = records[i];
-    if (r.phase != phase_sediment) return;
-    const SedimentScene& law = scene.sediment;
+    if (records[i].phase != phase_sediment) return;
     Sediment& s = sediment[i];
-    s.effective_pressure = law.submerged_weight * mean_height_above(i);
-    s.yield_stress = law.yield_coefficient * s.effective_pressure + law.yield_cohesion;
-    r.viscosity =
-        herschel_bulkley_viscosity(s.strain_rate, s.yield_stress, law.regularisation, law.consistency, law.flow_index);
+    s.bed_slope = slope_at(i);
+    const float t = s.bed_slope < law.friction_tangent ? s.bed_slope : law.friction_tangent;
+    s.effective_pressure = law.submerged_weight * mean_height_above(i) / (1 + t * t);
+  }
+
+  HOST_DEVICE float slope_at(Index i) const {
+    int column = 0;
+    for (int k = Dim - 2; k >= 0; --k) {
+      float share;
+      const int node = columns.below(k, positions[i].x[axis<Dim>(k)], share);
+      const int nearest = columns.inside(k, share < 0.5F ? node : node + 1);
+      if (nearest < 0) return 0;
+      column = column * columns.nodes[k] + nearest;
+    }
+    return slope[column];
   }
 
   HOST_DEVICE float mean_height_above(Index i) const {
@@ -181,12 +260,43 @@ struct StrengthPass {
   }
 };
 
+/// Particle pass: yield stress and apparent viscosity of a deposit; with states, bed load yields at the stress that
+/// moves its grains, and suspended sediment is thickened water.
+struct RheologyPass {
+  Record* records;
+  Sediment* sediment;
+  const BedSurface* bed;  // nullptr: all sediment is deposit
+  SedimentScene law;
+  float solids_share;
+  float einstein_coefficient;
+  float water_viscosity;
+
+  HOST_DEVICE void operator()(Index i) const {
+    Record& r = records[i];
+    if (r.phase != phase_sediment) return;
+    Sediment& s = sediment[i];
+    if (r.state == state_suspended) {
+      s.yield_stress = 0;
+      r.viscosity = suspension_viscosity(water_viscosity, solids_share * bed[i].concentration, einstein_coefficient);
+      return;
+    }
+    s.yield_stress = r.state == state_bed_load ? bed[i].critical_stress
+                                               : law.yield_coefficient * s.effective_pressure + law.yield_cohesion;
+    const float apparent =
+        herschel_bulkley_viscosity(s.strain_rate, s.yield_stress, law.regularisation, law.consistency, law.flow_index);
+    r.viscosity = apparent > water_viscosity ? apparent : water_viscosity;
+  }
+};
+
+/// Sets the effective pressure and the slope of the bed above every sediment particle from where the sediment lies.
 template <int Dim, class Device>
-void update_sediment_strength(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ColumnWeight<Device>& weight) {
+void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ColumnWeight<Device>& weight) {
   const ColumnLattice<Dim> columns(scene);
   const std::size_t nodes = static_cast<std::size_t>(columns.columns()) * static_cast<std::size_t>(columns.levels());
   weight.deposited.resize(nodes);
   weight.height_above.resize(nodes);
+  weight.surface.resize(static_cast<std::size_t>(columns.columns()));
+  weight.slope.resize(static_cast<std::size_t>(columns.columns()));
   weight.wetted.resize(static_cast<std::size_t>(columns.columns()));
   std::int64_t* deposited = weight.deposited.data();
   std::uint8_t* wetted = weight.wetted.data();
@@ -199,12 +309,26 @@ void update_sediment_strength(Device& on, Particles<Device>& p, const Scene<Dim>
   on.for_each(p.fluid_count,
               DepositPass<Dim, decltype(add)>{p.record.data(), p.position.data(), columns, deposited, wetted, add});
   const double column_area = std::pow(scene.spacing, Dim - 1);
-  on.for_each(static_cast<Index>(columns.columns()),
-              HeightAbovePass<Dim>{columns, deposited, weight.height_above.data(),
-                                   static_cast<float>(1 / (columns.quanta_per_volume * column_area))});
+  const auto spacing = static_cast<float>(scene.spacing);
   const auto reach = static_cast<float>(2 * scene.smoothing_length / scene.spacing);
-  on.for_each(p.fluid_count, StrengthPass<Dim>{p.record.data(), p.position.data(), p.sediment.data(), columns,
-                                               weight.height_above.data(), wetted, scene, reach});
+  const auto all_columns = static_cast<Index>(columns.columns());
+  on.for_each(all_columns,
+              HeightAbovePass<Dim>{columns, deposited, weight.height_above.data(), weight.surface.data(),
+                                   static_cast<float>(1 / (columns.quanta_per_volume * column_area)), spacing});
+  on.for_each(all_columns, ColumnSlopePass<Dim>{columns, weight.surface.data(), weight.slope.data(), spacing,
+                                                static_cast<int>(reach)});
+  on.for_each(p.fluid_count, EffectivePressurePass<Dim>{p.record.data(), p.position.data(), p.sediment.data(), columns,
+                                                        weight.height_above.data(), weight.slope.data(), wetted,
+                                                        scene.sediment, reach});
+}
+
+template <int Dim, class Device>
+void apply_rheology(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  const RheologyPass pass{p.record.data(),      p.sediment.data(),          scene.has_states ? p.bed.data() : nullptr,
+                          scene.sediment,       scene.erosion.solids_share, scene.erosion.einstein_coefficient,
+                          scene.water_viscosity};
+  for_each_member(on, p.list(), p.near_sediment(), pass);
+  if (p.any_resting) for_each_member(on, p.list(), p.shore(), pass);
 }
 
 }  // namespace thalweg

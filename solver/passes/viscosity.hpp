@@ -49,6 +49,7 @@ struct ViscousCoefficientSweep {
     Vec<Dim, L> exchange;
   };
 
+  const Record* records;
   const float* mass;
   const Sediment* sediment;
   float* coefficient;
@@ -79,6 +80,7 @@ struct ViscousCoefficientSweep {
     Row& row = rows[i];
     row.diagonal = mass[i] + sum.coefficients;
     for (int c = 0; c < 3; ++c) row.increment[c] = row.residual[c] = row.product[c] = 0;
+    if (is_resting(records[i])) return;
     for (int c = 0; c < Dim; ++c) {
       const int k = axis<Dim>(c);
       row.residual[k] = -mass[i] * dt * sediment[i].viscous_acceleration[k] - sum.exchange[c];
@@ -108,6 +110,7 @@ struct ViscousProductSweep {
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    if (is_resting(records[i])) return;  // a wall: its velocity is no unknown
     for (int c = 0; c < Dim; ++c) {
       rows[i].product[axis<Dim>(c)] = mass[i] * records[i].work[axis<Dim>(c)] + sum.exchange[c];
     }
@@ -120,15 +123,6 @@ inline constexpr int most_iterations = 1000;
 
 HOST_DEVICE inline double dot3(const float* a, const float* b) {
   return double(a[0]) * double(b[0]) + double(a[1]) * double(b[1]) + double(a[2]) * double(b[2]);
-}
-
-/// Calls body(i) for every particle of the clusters in range.
-template <class Device, class Body>
-void for_each_member(Device& on, const ClusterList& list, ClusterRange range, const Body& body) {
-  on.for_each(range.count, [=](Index n) {
-    const Index c = range[n];
-    for (Index i = list.first(c); i < list.last(c); ++i) body(i);
-  });
 }
 
 /// The two sums the iteration needs of the residuals.
@@ -202,14 +196,15 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   using viscosity::Norms;
   const auto total = [&](const auto& of) { return viscosity::sum_over_members<double>(on, list, range, of); };
   const auto norms = [&](const auto& of) { return viscosity::sum_over_members<Norms>(on, list, range, of); };
-  const auto each = [&](const auto& body) { viscosity::for_each_member(on, list, range, body); };
+  const auto each = [&](const auto& body) { for_each_member(on, list, range, body); };
 
   // What viscosity did in the last step is the best guess of what it does in this one.
   each([=](Index i) {
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
   });
-  on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
-                         ViscousCoefficientSweep<Dim, Row>{mass, sediment, system.coefficient.data(), rows, scene, dt});
+  on.template sweep<Dim>(
+      list, range, records, scene.lattice.quantum,
+      ViscousCoefficientSweep<Dim, Row>{records, mass, sediment, system.coefficient.data(), rows, scene, dt});
   Norms now = norms([=](Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
     return viscosity::norms_of(rows[i]);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "solver/physics/host_device.hpp"
 
 namespace thalweg {
@@ -12,6 +14,14 @@ namespace thalweg {
 template <class Real>
 HOST_DEVICE inline Real tait_pressure(Real d, Real stiffness) {
   return stiffness * d * (7 + d * (21 + d * (35 + d * (35 + d * (21 + d * (7 + d))))));
+}
+
+/// The inverse: d = (1 + p/B)^(1/7) - 1 for p > -B; keeps the digits of a small p.
+template <class Real>
+HOST_DEVICE inline Real tait_excess(Real pressure, Real stiffness) {
+  using std::expm1;
+  using std::log1p;
+  return expm1(log1p(pressure / stiffness) / 7);
 }
 
 /// B = rho0 c^2 / 7 [Pa] from density at rest [kg/m^3] and sound speed [m/s].

@@ -17,6 +17,9 @@ struct SedimentParameters {
   double consistency = 1.5e-3;  // [Pa s^n]
   double flow_index = 1;        // [-]
   double regularisation = 100;  // [s]
+  double roughness = 0;         // [m] ks; 0: the grain diameter
+  double lift_ratio = 0.85;     // [-] lift over drag of a grain
+  double critical_shields = 0;  // [-]; 0: by the grain Reynolds number
 
   /// Density of the bed as a whole, grains and what fills the pores [kg/m^3].
   [[nodiscard]] double bed_density() const { return porosity * pore_density + (1 - porosity) * grain_density; }
@@ -40,6 +43,11 @@ struct SedimentParameters {
              "Exponent n of the yielded sediment: 1 Bingham (default), 1.8 in the paper.");
     v.quantity("regularisation", regularisation, "s", 1e-3, 1e6,
                "Papanastasiou's m: how sharply the viscosity rises below yield.");
+    v.quantity("roughness", roughness, "m", 0, 1,
+               "Equivalent sand roughness ks of the bed, for the water's shear stress on it; 0: the grain diameter.");
+    v.number("lift_ratio", lift_ratio, 0, 0.99, "Lift over drag of a grain on the bed (three-state).");
+    v.number("critical_shields", critical_shields, 0, 1,
+             "Shields number at which a flat bed begins to move; 0: by the grain Reynolds number.");
   }
 };
 

@@ -29,7 +29,8 @@ TEST(SedimentStrength, OfAFlatBedIsItsSubmergedWeight) {
                       }));
   apply_equation_of_state(l.on, l.p, scene);
   ColumnWeight<test::Device> weight;
-  update_sediment_strength(l.on, l.p, scene, weight);
+  weigh_sediment(l.on, l.p, scene, weight);
+  apply_rheology(l.on, l.p, scene);
   for (Index i = 0; i < l.p.count; ++i) {
     if (l.p.record[i].phase != phase_sediment) continue;
     const double expected = 300 * 9.81 * (0.1 - l.p.position[i].x[2]);
@@ -48,7 +49,8 @@ TEST(SedimentStrength, FollowsASlope) {
                       }));
   apply_equation_of_state(l.on, l.p, scene);
   ColumnWeight<test::Device> weight;
-  update_sediment_strength(l.on, l.p, scene, weight);
+  weigh_sediment(l.on, l.p, scene, weight);
+  apply_rheology(l.on, l.p, scene);
   for (Index i = 0; i < l.p.count; ++i) {
     const double x = l.p.position[i].x[0];
     if (l.p.record[i].phase != phase_sediment || x < 0.05 || x > 0.15 || l.p.position[i].x[2] > 0.05) continue;
@@ -71,7 +73,8 @@ TEST(SedimentStrength, DoesNotFeelTheWaterAbove) {
     auto l = test::load(scene, test::fill_lattice(scene, bed(top)));
     apply_equation_of_state(l.on, l.p, scene);
     ColumnWeight<test::Device> weight;
-    update_sediment_strength(l.on, l.p, scene, weight);
+    weigh_sediment(l.on, l.p, scene, weight);
+    apply_rheology(l.on, l.p, scene);
     pressures[run].resize(l.p.count);
     for (Index i = 0; i < l.p.fluid_count; ++i) {
       if (l.p.record[i].phase == phase_sediment)

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/physics/herschel_bulkley.hpp"
+
+namespace thalweg {
+
+/// Inertial number I = gdot d sqrt(rho_s/p) [-]: time a grain takes to fall into its gap over the time of shear.
+/// gdot [1/s], grain diameter d [m], grain density [kg/m^3], effective pressure p > 0 [Pa].
+template <class Real>
+HOST_DEVICE inline Real inertial_number(Real gdot, Real diameter, Real grain_density, Real pressure) {
+  using std::sqrt;
+  return gdot * diameter * sqrt(grain_density / pressure);
+}
+
+/// Friction coefficient mu(I) = mu_s + (mu_2 - mu_s)/(1 + I0/I) [-] of a dense granular flow (Jop, Forterre & Pouliquen
+/// 2006, Nature 441, 727-730); mu_s at I = 0. Glass beads: mu_s = 0.38, mu_2 = 0.64, I0 = 0.279; mu(I0) = 0.51.
+template <class Real>
+HOST_DEVICE inline Real friction_of_inertial_number(Real I, Real mu_s, Real mu_2, Real I0) {
+  return mu_s + (mu_2 - mu_s) * I / (I0 + I);
+}
+
+/// Constants of mu(I), in the field's units.
+template <class Real>
+struct InertialFriction {
+  Real static_friction = 0;   // mu_s [-], of sqrt(J2) on p: the coefficient of the yield criterion
+  Real dynamic_friction = 0;  // mu_2 [-], likewise, at large I
+  Real inertial_number = 0;   // I0 [-]
+  Real diameter = 0;          // d [m]
+  Real grain_density = 0;     // [kg/m^3]
+};
+
+/// Apparent viscosity [Pa s] of a granular flow at shear rate gdot = sqrt(2 D:D) [1/s] under effective pressure p [Pa]:
+///   eta = (mu(I) p + c_0)/gdot = (mu_s p + c_0)/gdot + (mu_2 - mu_s) p T/(I0 + gdot T),   T = d sqrt(rho_s/p)
+/// Its first part, the yield stress over gdot, is regularised as Papanastasiou's (herschel_bulkley.hpp) with m [s]; the
+/// second is finite at rest and vanishes with p. With p T = d sqrt(rho_s p) it reads
+///   (mu_2 - mu_s) d sqrt(rho_s) p/(I0 sqrt(p) + gdot d sqrt(rho_s))
+/// where sqrt(p) in the denominator is kept above that of pressure_floor = 1e-3 Pa, a thousandth of the weight of a
+/// grain layer, so that p = gdot = 0 gives 0. The viscosity of what is between the grains [Pa s] is added. Above yield
+/// eta gdot -> mu(I) p + c_0; I -> infinity: mu_2 p + c_0; gdot -> 0: (mu_s p + c_0) m/2 + (mu_2 - mu_s) d sqrt(rho_s
+/// p)/I0. mu_s = 0.38, mu_2 = 0.64, I0 = 0.279, d = 1 mm, 2500 kg/m^3, p = 100 Pa, gdot = 50 1/s (I = 0.25): 1.006 Pa
+/// s.
+template <class Real>
+HOST_DEVICE inline Real mu_of_i_viscosity(Real gdot, Real pressure, Real cohesion_term, Real regularisation,
+                                          Real pore_viscosity, const InertialFriction<Real>& of) {
+  using std::sqrt;
+  constexpr Real pressure_floor = Real(1e-3);
+  const Real p = pressure > 0 ? pressure : Real(0);
+  const Real yield_stress = of.static_friction * p + cohesion_term;
+  const Real inertia = of.diameter * sqrt(of.grain_density);
+  const Real root_p = sqrt(p > pressure_floor ? p : pressure_floor);
+  const Real rate_part =
+      (of.dynamic_friction - of.static_friction) * inertia * p / (of.inertial_number * root_p + gdot * inertia);
+  return herschel_bulkley_viscosity(gdot, yield_stress, regularisation, pore_viscosity, Real(1)) + rate_part;
+}
+
+}  // namespace thalweg
