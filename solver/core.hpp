@@ -108,6 +108,11 @@ class SimulationOn final : public Simulation {
     return report;
   }
 
+  std::vector<ExcludedParticle> take_excluded() override {
+    if (!neighbours::has_excluded(on_, p_)) return {};
+    return refresh_neighbours(on_, p_, scene_, work_.list_rebuilds);
+  }
+
   Totals totals() override { return sum_totals(on_, p_, scene_); }
   const Timing& timing() const override { return timing_; }
   Timing& timing() override { return timing_; }

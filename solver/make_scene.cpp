@@ -77,14 +77,14 @@ ErosionScene<Dim> make_erosion(const Case& from) {
   return out;
 }
 
-/// Sediment is calm while its stress is below 86 % of the yield stress (m gdot/2 = 2), or it is sheared by less than 1
+/// Sediment is calm while its stress is below 98 % of the yield stress (m gdot/2 = 4), or it is sheared by less than 1
 /// % in a second; it has to be slower than what moves it by 2 % of a spacing, for the time a grain needs to fall two
 /// spacings.
 RestCriteria make_rest(const Case& from) {
   const double g = from.domain.gravity.norm();
   const double dp = from.numerics.spacing;
   RestCriteria out;
-  out.shear_rate = static_cast<float>(std::max(4 / from.sediment().regularisation, 0.01));
+  out.shear_rate = static_cast<float>(std::max(8 / from.sediment().regularisation, 0.01));
   out.wake_shear_rate = 1.5F * out.shear_rate;
   out.speed = static_cast<float>(0.01 * std::sqrt(g * dp));
   out.time = static_cast<float>(2 * std::sqrt(dp / g));

@@ -83,7 +83,8 @@ class Run {
     const SimulationFacts facts = simulation_->facts();
     spdlog::info("{}: {} particles, {} of them fluid; {}", c.info.name, facts.particles, facts.fluid_particles,
                  facts.device);
-    initial_fluid_ = facts.fluid_particles;
+    counts_.excluded = output_.excluded_before();
+    initial_fluid_ = facts.fluid_particles + counts_.excluded;
   }
 
   Exit to_the_end() {
@@ -102,6 +103,8 @@ class Run {
       }
       if (caught_signal != 0) return stop_early();
     }
+    const auto last = simulation_->take_excluded();
+    if (!last.empty()) exclude(last);
     write_checkpoint();
     finish();
     return Exit::done;
@@ -193,6 +196,8 @@ class Run {
   }
 
   Exit stop_early() {
+    const auto last = simulation_->take_excluded();
+    if (!last.empty()) exclude(last);
     write_checkpoint();
     finish();
     const int signal = caught_signal;

@@ -21,8 +21,9 @@ constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
 /// Rewrites a table of ours whose first column is time, with the rows up to `keep_until` of what stands there, and
-/// opens it for more.
-std::ofstream reopen_table(const std::filesystem::path& file, const char* header, double keep_until) {
+/// opens it for more; `rows` is how many.
+std::ofstream reopen_table(const std::filesystem::path& file, const char* header, double keep_until,
+                           std::int64_t& rows) {
   std::vector<std::string> kept;
   if (keep_until > 0) {
     std::ifstream old(file);
@@ -38,6 +39,7 @@ std::ofstream reopen_table(const std::filesystem::path& file, const char* header
     to << header << '\n';
     for (const std::string& row : kept) to << row << '\n';
   });
+  rows = static_cast<std::int64_t>(kept.size());
   std::ofstream table(file, std::ios::app);
   if (!table) throw RunError(file.string() + ": cannot be written; check permissions and free space");
   return table;
@@ -63,8 +65,9 @@ RunOutput::RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& st
       if (old.path().extension() == ".vtp") std::filesystem::remove(old.path(), ignored);
     }
   }
-  history_ = reopen_table(folder_.history(), history_header, start.time);
-  excluded_ = reopen_table(folder_.excluded(), excluded_header, start.time);
+  std::int64_t history_rows = 0;
+  history_ = reopen_table(folder_.history(), history_header, start.time, history_rows);
+  excluded_ = reopen_table(folder_.excluded(), excluded_header, start.time, excluded_before_);
 }
 
 ParticleFileInfo RunOutput::info_at(const RunClock& clock) const {

@@ -44,17 +44,18 @@ class RunOutput {
   std::filesystem::path write_diverged(Simulation& simulation, const RunClock& clock);
 
   [[nodiscard]] const RunFolder& folder() const { return folder_; }
+  /// Particles that a run continued here had already lost.
+  [[nodiscard]] std::int64_t excluded_before() const { return excluded_before_; }
 
  private:
   [[nodiscard]] ParticleFileInfo info_at(const RunClock& clock) const;
-  void open_history(double keep_until);
-  void open_excluded(double keep_until);
 
   RunFolder folder_;
   ParticleFileInfo info_;
   std::vector<SeriesEntry> series_;
   std::ofstream history_;
   std::ofstream excluded_;
+  std::int64_t excluded_before_ = 0;
 };
 
 }  // namespace thalweg

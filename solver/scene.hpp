@@ -47,8 +47,8 @@ struct ErosionScene {
 
 /// When sediment comes to rest and wakes again (passes/rest.hpp).
 struct RestCriteria {
-  float shear_rate = 0;       // [1/s] below which sediment is calm: 86 % of the yield stress
-  float wake_shear_rate = 0;  // [1/s] above which it wakes: 95 % of the yield stress
+  float shear_rate = 0;       // [1/s] below which sediment is calm: 98 % of the yield stress
+  float wake_shear_rate = 0;  // [1/s] above which it wakes: 99.8 % of the yield stress
   float speed = 0;            // [m/s] below which sediment is calm
   float time = 0;             // [s] for which it has to be
 };

@@ -42,6 +42,8 @@ class Simulation {
 
   /// One step of at most `longest` seconds.
   virtual StepReport advance(double longest) = 0;
+  /// Takes out particles that left the domain in the last step, as the next step would.
+  virtual std::vector<ExcludedParticle> take_excluded() = 0;
   virtual Totals totals() = 0;
   virtual SimulationFacts facts() = 0;
   virtual const Timing& timing() const = 0;

@@ -326,6 +326,14 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   for (Index& c : p.clusters_of_walls) c += fluid_clusters;
 }
 
+/// Whether a particle has left the domain since the lists were made.
+template <class Device>
+bool has_excluded(Device& on, const Particles<Device>& p) {
+  const Record* records = p.record.data();
+  return on.reduce(
+      p.fluid_count, false, [=](Index i) { return records[i].volume == 0; }, [](bool a, bool b) { return a || b; });
+}
+
 /// Largest squared distance a particle has moved since the lists were made [m^2]; infinite when one was excluded.
 template <int Dim, class Device>
 float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
