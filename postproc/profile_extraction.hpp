@@ -16,7 +16,7 @@ struct ExtractionSettings {
   double z_from = -std::numeric_limits<double>::infinity();  // [m] nothing outside is looked at
   double z_to = std::numeric_limits<double>::infinity();     // [m]
   double plane_y = 0;                                        // [m] 3-D: the plane of the profile
-  double rest_speed = 0.01;                                  // [m/s] slower sediment rests; where there is State, deposits only
+  double rest_speed = 0.01;  // [m/s] slower sediment rests; where there is State, deposits only
 };
 
 /// Layers thinner than this share of the spacing count as absent: half of one layer of particles.

@@ -71,6 +71,7 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
     if (!from.pressure.empty()) r.pressure = from.pressure[i];
     if (r.phase == phase_wall) {
       r.volume = static_cast<float>(std::pow(scene.spacing, Dim));
+      if (exact_excess != from.scalars.end()) r.excess = exact_excess->second[i];
       continue;
     }
     ++fluid;
@@ -197,7 +198,7 @@ class SimulationOn final : public Simulation {
       out.type[i] = static_cast<ParticleType>(p_.type[i]);
       out.position[i] = Vec3(p_.position[i].x[0], p_.position[i].x[1], p_.position[i].x[2]);
       out.velocity[i] = Eigen::Vector3f(r.velocity[0], r.velocity[1], r.velocity[2]);
-      out.density[i] = scene_.density_at_rest(r.phase) * (1 + r.excess);
+      out.density[i] = scene_.density_at_rest(r.phase) * (1 + (r.phase == phase_wall ? 0 : r.excess));
       out.pressure[i] = r.pressure;
     }
     if (!scene_.has_sediment) return;

@@ -30,7 +30,7 @@ struct alignas(64) Record {
   float volume;           // [m^dim]; 0 takes the particle out of every sum
   float velocity[3];      // [m/s]
   float pressure;         // [Pa]
-  float excess;           // rho/rho0 - 1 [-]
+  float excess;           // rho/rho0 - 1 [-]; of a wall: share of sediment in the fluid it continues [-]
   float viscosity;        // [Pa s]
   float phase;            // phase_wall, phase_water, phase_sediment
   float state;            // state_none (no sediment), state_deposit …

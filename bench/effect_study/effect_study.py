@@ -22,8 +22,9 @@ import sys
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
+from page import CURVES, Results, draw, page
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CURVES = ("free_surface", "bed", "moving_bed")
 
 
 def read_table(file):
@@ -140,7 +141,7 @@ class Study:
             list(pool.map(one, self.runs()))
 
     def scatter(self):
-        """Root mean square over all pairs of equal runs, by (curve, time); extent of front, scour and ridge, by name."""
+        """Root mean square over all pairs of equal runs by (curve, time); extent of front, scour and ridge by name."""
         members = [run for run in [self.base, *self.starts] if run.complete()]
         pairs = {}
         for n, run in enumerate(members[1:], 1):
@@ -163,7 +164,8 @@ def figures_of(run, times):
         scour, ridge = run.bed_change(time)
         row |= {f"front {time:g} s [m]": f"{run.front(time):.3f}", f"scour {time:g} s [m]": f"{scour:.4f}",
                 f"ridge {time:g} s [m]": f"{ridge:.4f}"}
-    return row | {"steps [-]": int(run.summary("steps")), "cpu [s]": f"{run.summary('cpu_seconds'):.1f}",
+    cpu = run.summary("cpu_seconds") * run.summary("steps") / run.summary("steps_since_restart")
+    return row | {"steps [-]": int(run.summary("steps")), "cpu [s]": f"{cpu:.1f}",
                   "viscous iterations a step [-]": run.summary("viscous_iterations_per_step")}
 
 
@@ -192,128 +194,9 @@ def convergence(study):
     return rows
 
 
-def repeatability(study, rms, extents):
-    return [{"curve": curve, "time [s]": time, "rms [m]": f"{value:.5f}"} for (curve, time), value in sorted(rms.items())] + \
-           [{"curve": f"extent of {name}", "time [s]": time, "rms [m]": f"{value:.5f}"}
-            for (name, time), value in sorted(extents.items())]
-
-
-def mean_over_times(row, curve, times):
-    """Root mean square over the times [mm], of a row with one column a time."""
-    values = [float(row[f"{curve} {time:g} s [m]"]) for time in times if row[f"{curve} {time:g} s [m]"]]
-    return 1e3 * math.sqrt(sum(v * v for v in values) / len(values)) if values else math.nan
-
-
-def draw(study, effect_rows, convergence_rows, rms, picture):
-    """The picture: bars of what each choice does to the bed, the scatter as a line; convergence beside it."""
-    times = study.times
-    scatter = {curve: 1e3 * math.sqrt(sum(rms[curve, t] ** 2 for t in times) / len(times)) for curve in CURVES}
-    bars = "\n".join(f'"{row["group"]}: {row["choice"]}" {mean_over_times(row, "bed", times):.3f} '
-                     f'{mean_over_times(row, "free_surface", times):.3f}' for row in reversed(effect_rows))
-    points = "\n".join(f'{row["spacing"].split()[0]} {mean_over_times(row, "bed", times):.3f} '
-                       f'{mean_over_times(row, "free_surface", times):.3f} {row[f"front {times[-1]:g} s [m]"]} '
-                       f'{1e3 * float(row[f"scour {times[-1]:g} s [m]"]):.2f}' for row in convergence_rows)
-    script = f"""
-set terminal svg size 1000,{520 + 26 * len(effect_rows)} font "sans,13" background "white"
-set output "{picture.name}"
-$effects << END
-{bars}
-END
-$spacings << END
-{points}
-END
-set multiplot
-set origin 0,0.4
-set size 1,0.6
-set lmargin at screen 0.42
-set title "What each choice changes, root mean square over the profile and {len(times)} times"
-set xlabel "mm"
-set yrange [-0.5:{len(effect_rows)}-0.5]
-set ytics nomirror
-set xrange [0:*]
-set key at graph 0.98,0.14
-set arrow 1 from first {scatter["bed"]:.3f},graph 0 to first {scatter["bed"]:.3f},graph 1 nohead dt 2 lw 2
-plot $effects using 2:0:(0):2:($0-0.35):($0) with boxxyerror fs solid 0.8 lc rgb "#8c6239" title "bed", \\
-     $effects using 3:0:(0):3:($0):($0+0.35):ytic(1) with boxxyerror fs solid 0.8 lc rgb "#2b6cb0" title "free surface", \\
-     1/0 with lines dt 2 lw 2 lc rgb "black" title "bed of equal runs"
-unset arrow 1
-unset lmargin
-set yrange [0:*]
-set ytics auto
-set xrange [0:{1.1 * max(float(row["spacing"].split()[0]) for row in convergence_rows):g}]
-set xlabel "spacing [mm]"
-set key default
-set key bottom right
-set origin 0,0
-set size 0.5,0.4
-set title "Distance from the finest run [mm]"
-plot $spacings using 1:2 with linespoints pt 7 lc rgb "#8c6239" title "bed", \\
-     $spacings using 1:3 with linespoints pt 7 lc rgb "#2b6cb0" title "free surface"
-set origin 0.5,0
-set title "Front [m] and scour [cm] at {times[-1]:g} s"
-plot $spacings using 1:4 with linespoints pt 7 lc rgb "#2b6cb0" title "front", \\
-     $spacings using 1:($5/10) with linespoints pt 7 lc rgb "#8c6239" title "scour"
-unset multiplot
-"""
-    file = picture.with_suffix(".gnuplot")
-    file.write_text(script, encoding="utf-8")
-    result = subprocess.run(["gnuplot", file.name], cwd=picture.parent, capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        raise RuntimeError(f"gnuplot: {result.stderr}")
-
-
-def markdown(columns, rows):
-    yield "| " + " | ".join(columns) + " |"
-    yield "|" + "---|" * len(columns)
-    for row in rows:
-        yield "| " + " | ".join(str(cell) for cell in row) + " |"
-
-
-def series_of(row, name, times, factor, digits):
-    return " ".join(f"{factor * float(row[f'{name} {time:g} s [m]']):.{digits}f}"
-                    if row[f"{name} {time:g} s [m]"] else "–" for time in times)
-
-
-def ratio(distance, scatter):
-    return f"{distance / scatter:.1f}" if scatter > 0 and not math.isnan(distance) else "–"
-
-
-def page(study, effect_rows, convergence_rows, rms, extents, members, picture):
-    """The page of documentation: tables and picture, and how they were made."""
-    times = study.times
-    when = ", ".join(f"{time:g}" for time in times)
-    scatter = {curve: 1e3 * math.sqrt(sum(rms[curve, t] ** 2 for t in times) / len(times)) for curve in CURVES}
-    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True)
-    lines = [
-        "# What each choice changes", "",
-        f"The case `{study.case.relative_to(ROOT)}` at a spacing of {study.spacing}, one choice changed at a time; distances are root mean",
-        f"squares between profiles at t = {when} s, in mm. Written by `bench/effect_study/effect_study.py` at commit",
-        f"{commit.stdout.strip()}; the table of runs is `study.toml` beside it. Spacing and scatter bound what can be read from",
-        "it: an effect smaller than the scatter is none, and one smaller than the distance to the finest run may be of the spacing.", "",
-        f"![Effects and convergence]({picture})", "",
-        "## What equal runs differ by", "",
-        f"{members} runs whose water density differs by up to two ten-thousandths: root mean square over all pairs, and the extent from the least",
-        "to the largest front, scour and ridge.", "",
-        *markdown(["", *(f"{time:g} s" for time in times)],
-                  [[f"{curve.replace('_', ' ')} [mm]", *(f"{1e3 * rms[curve, t]:.2f}" for t in times)] for curve in CURVES] +
-                  [[f"{name} [mm]", *(f"{1e3 * extents[name, t]:.1f}" for t in times)] for name in ("front", "scour", "ridge")]),
-        "", "## Effects", "",
-        "Bed / scatter: root mean square of the bed over all times, over that of equal runs; 1 is no effect.", "",
-        *markdown(["choice", f"free surface [mm] at {when} s", "bed [mm]", "moving bed [mm]", "bed / scatter", "front [m]", "scour [mm]",
-                   "ridge [mm]", "CPU s", "iterations a step"],
-                  [[": ".join(filter(None, (row["group"], row["choice"]))), *(series_of(row, curve, times, 1e3, 1) for curve in CURVES),
-                    ratio(mean_over_times(row, "bed", times), scatter["bed"]), series_of(row, "front", times, 1, 3),
-                    series_of(row, "scour", times, 1e3, 0), series_of(row, "ridge", times, 1e3, 0), row["cpu [s]"],
-                    row["viscous iterations a step [-]"]]
-                   for row in [{"group": "as it is", "choice": ""} | rms_columns({}, "", times) |
-                               figures_of(study.base, times)] + effect_rows]),
-        "", "## Convergence in the spacing", "",
-        f"Distances from the run at {convergence_rows[-1]['spacing']}.", "",
-        *markdown(["spacing", f"free surface [mm] at {when} s", "bed [mm]", "front [m]", "scour [mm]", "steps", "CPU s"],
-                  [[row["spacing"], series_of(row, "free_surface", times, 1e3, 1), series_of(row, "bed", times, 1e3, 1),
-                    series_of(row, "front", times, 1, 3), series_of(row, "scour", times, 1e3, 0), row["steps [-]"],
-                    row["cpu [s]"]] for row in convergence_rows]), ""]
-    return "\n".join(lines)
+def repeatability(rms, extents):
+    rows = [*rms.items(), *(((f"extent of {name}", time), value) for (name, time), value in extents.items())]
+    return [{"curve": curve, "time [s]": time, "rms [m]": f"{value:.5f}"} for (curve, time), value in sorted(rows)]
 
 
 def main():
@@ -324,7 +207,7 @@ def main():
     arguments.add_argument("--spacing", help="of all runs but those of [[spacing]]; default: the table's")
     arguments.add_argument("--finest", help="leaves out the runs of [[spacing]] beyond this one, for example \"5 mm\"")
     arguments.add_argument("--jobs", type=int, default=1, help="runs at a time, one thread each (default: %(default)s)")
-    arguments.add_argument("--page", type=pathlib.Path, help="page of documentation to write, picture in images/ beside it")
+    arguments.add_argument("--page", type=pathlib.Path, help="page to write, its picture in images/ beside it")
     given = arguments.parse_args()
 
     study = Study(given.thalweg, given.out, tomllib.loads(pathlib.Path(given.table).read_text(encoding="utf-8")),
@@ -338,20 +221,30 @@ def main():
 
     rms, extents, members = study.scatter()
     effect_rows, convergence_rows = effects(study), convergence(study)
-    made = f"{study.case.name} at {study.spacing}; distances: root mean square from the run with nothing changed"
-    write_table(study.out / "effects.csv", effect_rows, made)
+    equal = f"{members} runs whose water density differs by up to two ten-thousandths"
+    write_table(study.out / "effects.csv", effect_rows,
+                f"{study.case.name} at {study.spacing}; distances: root mean square from the run with nothing changed")
     write_table(study.out / "convergence.csv", convergence_rows, "distances: root mean square from the finest run")
-    write_table(study.out / "repeatability.csv", repeatability(study, rms, extents),
-                f"{members} runs whose water density differs by up to two ten-thousandths, all pairs")
-    draw(study, effect_rows, convergence_rows, rms, study.out / "effects.svg")
+    write_table(study.out / "repeatability.csv", repeatability(rms, extents), f"{equal}, all pairs")
+    results = Results(study.times, effect_rows, convergence_rows, rms, extents)
+    picture = study.out / "effects.svg"
+    draw(results, picture)
     if given.page:
         images = given.page.parent / "images"
         images.mkdir(parents=True, exist_ok=True)
-        shutil.copy(study.out / "effects.svg", images / "effects.svg")
-        given.page.write_text(page(study, effect_rows, convergence_rows, rms, extents, members, "images/effects.svg"),
+        shutil.copy(picture, images)
+        base = {"group": "as it is", "choice": ""} | rms_columns({}, "", study.times)
+        base |= figures_of(study.base, study.times)
+        commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True,
+                                check=True).stdout.strip()
+        case = study.case.relative_to(ROOT)
+        given.page.write_text(page(results, base, f"`{case}` at a spacing of {study.spacing}", equal, commit),
                               encoding="utf-8")
-    print(f"{study.out / 'effects.csv'}, convergence.csv, repeatability.csv, effects.svg")
+    print(f"{study.out / 'effects.csv'}, convergence.csv, repeatability.csv, {picture.name}")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit("stopped; the same command goes on from here")

@@ -47,11 +47,13 @@ struct BedSurfaceSweep {
 
     const auto b_fluid = b.phase > L(phase_wall + 0.5F);
     const auto b_sediment = b.phase > L(phase_water + 0.5F);
+    // A wall continues what lies before it: without it the grains along a wall would have a surface towards it.
+    const L share = lane_select(b_fluid, lane_select(b_sediment, L(1.0F), zero), b.excess);
+    sum.fill += share * weight;
     const L sediment_weight = lane_select(b_sediment, weight, zero);
-    sum.fill += sediment_weight;
     sum.sediment_volume += lane_select(b_sediment, inside, zero);
     sum.fluid_volume += lane_select(b_fluid, inside, zero);
-    const L sediment_slope = lane_select(b_sediment, slope, zero);
+    const L sediment_slope = share * slope;
     const L water_weight = lane_select(b_fluid, weight, zero) - sediment_weight;
     sum.water_share += water_weight;
     const auto b_suspended = b.state == L(state_suspended);

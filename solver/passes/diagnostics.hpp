@@ -9,7 +9,7 @@ namespace thalweg {
 struct Totals {
   double kinetic_energy = 0;       // [J]
   double potential_energy = 0;     // [J] from z = 0, along gravity
-  double internal_energy = 0;      // [J] of compression from rest
+  double internal_energy = 0;      // [J] of compression; not of sediment at rest, whose pressure does no work on it
   double water_mass = 0;           // [kg]
   double sediment_mass = 0;        // [kg]
   double momentum[3] = {0, 0, 0};  // [kg m/s]
@@ -53,7 +53,7 @@ Totals sum_totals(Device& on, const Particles<Device>& p, const Scene<Dim>& scen
         }
         t.kinetic_energy = 0.5 * m * u2;
         for (int k = 0; k < Dim; ++k) t.potential_energy -= m * double(scene.gravity[k]) * positions[i].x[axis<Dim>(k)];
-        t.internal_energy = m * tait_energy(r.excess, scene.sound_speed);
+        if (!is_resting(r)) t.internal_energy = m * tait_energy(r.excess, scene.sound_speed);
         (r.phase == phase_sediment ? t.sediment_mass : t.water_mass) = m;
         t.sediment = r.phase == phase_sediment ? 1 : 0;
         t.resting = is_resting(r) ? 1 : 0;

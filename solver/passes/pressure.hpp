@@ -58,14 +58,31 @@ struct ExtrapolatedPressureSweep {
   }
 };
 
-/// The same over wall particles.
+/// The same over wall particles, which also take the share of sediment in the fluid they continue, at rest or not: a
+/// bed does not end at a wall (passes/bed_states.hpp).
 template <int Dim>
 struct WallPressureSweep : ExtrapolatedPressureSweep<Dim> {
+  using Base = ExtrapolatedPressureSweep<Dim>;
   template <class L>
-  using Sum = typename ExtrapolatedPressureSweep<Dim>::template Sum<L>;
+  struct Sum {
+    typename Base::template Sum<L> pressure;
+    L fluid;
+    L sediment;
+  };
   Record* records;
 
-  HOST_DEVICE void end(Index i, const Sum<float>& sum) const { records[i].pressure = this->pressure(sum); }
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& f, const Sep& s, std::size_t entry, Sum<L>& sum) const {
+    Base::pair(a, f, s, entry, sum.pressure);
+    const L weight = f.volume * this->scene.kernel.value(this->scene.kernel.closeness(lane_sqrt(s.r2)));
+    sum.fluid += lane_select(f.phase > L(phase_wall + 0.5F), weight, L(0.0F));
+    sum.sediment += lane_select(f.phase > L(phase_water + 0.5F), weight, L(0.0F));
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    records[i].pressure = this->pressure(sum.pressure);
+    records[i].excess = sum.fluid > 0 ? sum.sediment / sum.fluid : 0;
+  }
 };
 
 /// The same over sediment at rest: it takes the density of that pressure along, so that a particle which wakes goes on

@@ -85,6 +85,29 @@ TEST(BedStates, SeeTheTopLayerAsSurfaceAndTheWaterOverIt) {
   EXPECT_EQ(tops, 10);
 }
 
+TEST(BedStates, SeeNoSurfaceTowardsAWall) {
+  // The same bed between two side walls, as thick as the kernel's support: it goes on behind them.
+  const Scene<2> scene = eroding_scene();
+  const double wall = 0.04;
+  ParticleSet p = test::fill_lattice(
+      scene, [&](const Vec3& x) { return x.x() < wall || x.x() > 0.2 - wall ? ParticleType::wall : half_bed(x); });
+  auto l = test::load(scene, p);
+  apply_equation_of_state(l.on, l.p, scene);
+  extrapolate_to_walls(l.on, l.p, scene);
+  update_bed_states(l.on, l.p, scene, 1e-4);
+  int seen = 0;
+  for (Index i = 0; i < l.p.count; ++i) {
+    if (l.p.position[i].x[0] > wall + scene.spacing || layer_of(l, i) < 0 || layer_of(l, i) > 2) continue;
+    ++seen;
+    // What the wall continues is a mean over the kernel: some degrees, and some hundredths of a full bed.
+    if (layer_of(l, i) == 0) {
+      EXPECT_GT(l.p.bed[i].normal[2], std::cos(0.1));
+    }
+    EXPECT_EQ(l.p.bed[i].fill < scene.erosion.surface_fill, layer_of(l, i) == 0) << l.p.bed[i].fill;
+  }
+  EXPECT_EQ(seen, 3);
+}
+
 TEST(BedStates, StartToMoveAtTheCriticalStress) {
   // theta_cr of these grains is near 0.05: 0.93 Pa. The stress grows with the square of the speed, whose critical value
   // is looked for from both sides.

@@ -201,9 +201,10 @@ Profile measured_surface(const FinishedRun& run) {
   return read_profile(run.scene.folder / "reference" / profile_file_name(run.scene.output.end));
 }
 
-/// Where a bed ends: the largest x at which it stands higher than `level`, linear between its points.
+/// Where a deposit against the left wall ends: the first x at which its bed falls below `level`, linear between points.
+/// What has slid on in a film and lies somewhere beyond is not the deposit.
 double toe(const Profile& profile, double level) {
-  for (std::size_t i = profile.x.size() - 1; i > 0; --i) {
+  for (std::size_t i = 1; i < profile.x.size(); ++i) {
     const double inner = profile.bed[i - 1];
     const double outer = profile.bed[i] > 0 ? profile.bed[i] : 0;  // a column without sediment has no value
     if (inner > level && outer <= level) {

@@ -102,15 +102,9 @@ TEST_P(Stability, Holds) {
   }
 }
 
-std::vector<StabilityCase> part_of_suite(bool long_runs) {
-  std::vector<StabilityCase> suite = read_suite();
-  std::erase_if(suite, [&](const StabilityCase& c) { return c.long_run != long_runs; });
-  return suite;
-}
-
 std::string name_of(const testing::TestParamInfo<StabilityCase>& info) { return info.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Suite, Stability, testing::ValuesIn(part_of_suite(THALWEG_LONG_RUNS)), name_of);
+INSTANTIATE_TEST_SUITE_P(Suite, Stability, testing::ValuesIn(read_suite()), name_of);
 
 }  // namespace
 }  // namespace thalweg::test

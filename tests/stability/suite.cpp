@@ -57,7 +57,6 @@ std::vector<StabilityCase> read_suite() {
     c.set = texts(row, "set");
     c.tries = text(row, "tries");
     c.fails = texts(row, "fails");
-    c.long_run = row["long"].value_or(false);
     c.bounds = bounds(row["bounds"].as_table());
     if (c.fails.empty()) c.bounds.insert(everywhere.begin(), everywhere.end());
     out.push_back(std::move(c));

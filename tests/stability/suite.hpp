@@ -25,7 +25,6 @@ struct StabilityCase {
   std::string tries;                    // what it tries to break
   std::map<std::string, Bound> bounds;  // by the name of the measure
   std::vector<std::string> fails;       // words of the diagnosis it has to stop with; empty: it has to run to its end
-  bool long_run = false;                // labelled validation: not part of ./test
 };
 
 /// How GoogleTest names a case in its messages.
