@@ -143,6 +143,19 @@ struct WaterParameters {
 
 enum class SedimentModel { off, viscoplastic };
 enum class WallFriction { none, smooth };
+enum class SeepageModel { off, mixture };
+enum class PorePressureModel { off, diffusion };
+
+inline constexpr std::array<Choice<SeepageModel>, 2> choices(SeepageModel) {
+  return {{{SeepageModel::off, "off", "the bed is one fluid, into which no water seeps"},
+           {SeepageModel::mixture, "mixture",
+            "grains and pore water are two sets of particles in the same places, joined by Ergun's drag"}}};
+}
+inline constexpr std::array<Choice<PorePressureModel>, 2> choices(PorePressureModel) {
+  return {{{PorePressureModel::off, "off", "the bed drains at once"},
+           {PorePressureModel::diffusion, "diffusion",
+            "excess pore pressure rises as the bed is compressed, drains by consolidation and weakens the bed"}}};
+}
 
 inline constexpr std::array<Choice<WallFriction>, 2> choices(WallFriction) {
   return {{{WallFriction::none, "none", "water slips along walls"},
@@ -167,6 +180,8 @@ struct Model {
   SedimentModel sediment = SedimentModel::off;
   YieldFit yield_fit = YieldFit::sine;
   WallFriction wall_friction = WallFriction::none;
+  SeepageModel seepage = SeepageModel::off;
+  PorePressureModel pore_pressure = PorePressureModel::off;
 
   template <class V>
   void describe(V& v) {
@@ -175,6 +190,8 @@ struct Model {
              "What water feels of the walls it runs along; sediment always sticks to walls.");
     v.choice("yield_fit", yield_fit,
              "How the friction angle becomes the pressure coefficient of the Drucker-Prager yield stress.");
+    v.choice("seepage", seepage, "Whether water moves through the bed (docs/theory.md).");
+    v.choice("pore_pressure", pore_pressure, "Excess pore pressure in a bed of one fluid (docs/theory.md).");
   }
 };
 

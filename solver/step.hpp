@@ -5,8 +5,10 @@
 
 #include "solver/passes/continuity.hpp"
 #include "solver/passes/integrate.hpp"
+#include "solver/passes/mixture.hpp"
 #include "solver/passes/momentum.hpp"
 #include "solver/passes/neighbours.hpp"
+#include "solver/passes/pore_pressure.hpp"
 #include "solver/passes/pressure.hpp"
 #include "solver/passes/sediment_strength.hpp"
 #include "solver/passes/time_step.hpp"
@@ -20,6 +22,8 @@ template <class Device>
 struct Workspace {
   ViscousSystem<Device> viscous;
   ColumnWeight<Device> weight;
+  Mixture<Device> mixture;
+  PoreDiffusion<Device> pore_diffusion;
   std::int64_t list_rebuilds = 0;
 };
 
@@ -49,12 +53,18 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   using H = Heading;
   StepResult result;
   timing.time(H::refresh_neighbours, [&] { result.excluded = refresh_neighbours(on, p, scene, work.list_rebuilds); });
-  timing.time(H::apply_equation_of_state, [&] { apply_equation_of_state(on, p, scene); });
-  timing.time(H::extrapolate_to_walls, [&] { extrapolate_to_walls(on, p, scene); });
+  const bool mixture = scene.seepage.mixture;
+  timing.time(H::apply_equation_of_state, [&] {
+    mixture ? apply_mixture_state(on, p, scene, work.mixture) : apply_equation_of_state(on, p, scene);
+  });
+  timing.time(H::extrapolate_to_walls,
+              [&] { mixture ? extrapolate_mixture_to_walls(on, p, scene) : extrapolate_to_walls(on, p, scene); });
   if (scene.has_sediment) {
     timing.time(H::update_sediment_strength, [&] { update_sediment_strength(on, p, scene, work.weight); });
   }
-  timing.time(H::compute_accelerations, [&] { compute_accelerations(on, p, scene); });
+  timing.time(H::compute_accelerations, [&] {
+    mixture ? compute_mixture_accelerations(on, p, scene, work.mixture) : compute_accelerations(on, p, scene);
+  });
   timing.time(H::stable_time_step, [&] { result.step = stable_time_step(on, p, scene); });
   if (has_diverged(result)) return result;
   land_on_output(result.step, longest);
@@ -62,13 +72,21 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
 
   timing.time(H::kick, [&] { kick(on, p, dt); });
   if (scene.has_sediment) {
-    timing.time(H::solve_viscosity,
-                [&] { result.viscous = solve_viscosity(on, p, scene, work.viscous, static_cast<float>(dt)); });
+    timing.time(H::solve_viscosity, [&] {
+      const auto step = static_cast<float>(dt);
+      result.viscous = mixture ? solve_mixture_viscosity(on, p, scene, work.mixture, work.viscous, step)
+                               : solve_viscosity(on, p, scene, work.viscous, step);
+    });
   }
   if (has_diverged(result)) return result;
   timing.time(H::drift, [&] { drift(on, p, scene, dt); });
-  timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
+  timing.time(H::compute_density_rates, [&] {
+    mixture ? compute_mixture_density_rates(on, p, scene, work.mixture) : compute_density_rates(on, p, scene);
+  });
   timing.time(H::update_density, [&] { update_density(on, p, dt); });
+  if (scene.seepage.pore_pressure) {
+    timing.time(H::advance_pore_pressure, [&] { advance_pore_pressure(on, p, scene, work.pore_diffusion, dt); });
+  }
   return result;
 }
 

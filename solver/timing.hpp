@@ -18,6 +18,7 @@ enum class Heading {
   drift,
   compute_density_rates,
   update_density,
+  advance_pore_pressure,
   output,
   count
 };
@@ -34,6 +35,7 @@ inline constexpr std::array<const char*, static_cast<std::size_t>(Heading::count
     "drift",
     "compute_density_rates",
     "update_density",
+    "advance_pore_pressure",
     "output"};
 
 /// Seconds and calls per heading.

@@ -133,7 +133,8 @@ struct StrengthPass {
   const float* height_above;
   const std::uint8_t* wetted;
   Scene<Dim> scene;
-  float reach;  // of the average, in spacings
+  float reach;                        // of the average, in spacings
+  const float* excess_pore_pressure;  // [Pa], nullptr where the scene has none
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
@@ -141,6 +142,10 @@ struct StrengthPass {
     const SedimentScene& law = scene.sediment;
     Sediment& s = sediment[i];
     s.effective_pressure = law.submerged_weight * mean_height_above(i);
+    if (excess_pore_pressure != nullptr) {
+      const float carried = s.effective_pressure - excess_pore_pressure[i];
+      s.effective_pressure = carried > 0 ? carried : 0;
+    }
     s.yield_stress = law.yield_coefficient * s.effective_pressure + law.yield_cohesion;
     r.viscosity =
         herschel_bulkley_viscosity(s.strain_rate, s.yield_stress, law.regularisation, law.consistency, law.flow_index);
@@ -204,7 +209,8 @@ void update_sediment_strength(Device& on, Particles<Device>& p, const Scene<Dim>
                                    static_cast<float>(1 / (columns.quanta_per_volume * column_area))});
   const auto reach = static_cast<float>(2 * scene.smoothing_length / scene.spacing);
   on.for_each(p.fluid_count, StrengthPass<Dim>{p.record.data(), p.position.data(), p.sediment.data(), columns,
-                                               weight.height_above.data(), wetted, scene, reach});
+                                               weight.height_above.data(), wetted, scene, reach,
+                                               scene.seepage.pore_pressure ? p.excess_pore_pressure.data() : nullptr});
 }
 
 }  // namespace thalweg

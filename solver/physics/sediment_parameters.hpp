@@ -8,15 +8,16 @@ namespace thalweg {
 /// are named where they differ; NAN marks what a case has to give. Source: Zhang, Xiong & Liu 2024, J. Hunan Univ.
 /// (Nat. Sci.) 51(3), 69-80, called "the paper".
 struct SedimentParameters {
-  double grain_density = NAN;   // [kg/m^3]
-  double porosity = NAN;        // [-]
-  double grain_diameter = NAN;  // [m] d50
-  double friction_angle = NAN;  // [rad]
-  double cohesion = 0;          // [Pa]
-  double pore_density = 1000;   // [kg/m^3] of what fills the pores; 0 for a dry bed
-  double consistency = 1.5e-3;  // [Pa s^n]
-  double flow_index = 1;        // [-]
-  double regularisation = 100;  // [s]
+  double grain_density = NAN;      // [kg/m^3]
+  double porosity = NAN;           // [-]
+  double grain_diameter = NAN;     // [m] d50
+  double friction_angle = NAN;     // [rad]
+  double cohesion = 0;             // [Pa]
+  double pore_density = 1000;      // [kg/m^3] of what fills the pores; 0 for a dry bed
+  double consistency = 1.5e-3;     // [Pa s^n]
+  double flow_index = 1;           // [-]
+  double regularisation = 100;     // [s]
+  double oedometer_modulus = 1e6;  // [Pa]
 
   /// Density of the bed as a whole, grains and what fills the pores [kg/m^3].
   [[nodiscard]] double bed_density() const { return porosity * pore_density + (1 - porosity) * grain_density; }
@@ -40,6 +41,9 @@ struct SedimentParameters {
              "Exponent n of the yielded sediment: 1 Bingham (default), 1.8 in the paper.");
     v.quantity("regularisation", regularisation, "s", 1e-3, 1e6,
                "Papanastasiou's m: how sharply the viscosity rises below yield.");
+    v.quantity("oedometer_modulus", oedometer_modulus, "Pa", 1e3, 1e11,
+               "Stiffness of the packing against compression, with which excess pore pressure drains "
+               "(model.pore_pressure).");
   }
 };
 
