@@ -32,6 +32,28 @@ TEST(Mixture, ExchangesMomentumWithoutLosingAny) {
   EXPECT_EQ(after.sediment_mass, before.sediment_mass);
 }
 
+TEST(Mixture, DoesNotDependOnTheThreads) {
+  Column c;
+  c.height = 0.5;  // 600 clusters: enough for several threads to be woken
+  c.sound_speed = 22;
+  c.gravity = {0.5F, static_cast<float>(-g)};
+  const Scene<2> scene = scene_of(c);
+  const ParticleSet start = fill(c, scene, true);
+  std::vector<Vec3> position[2];
+  for (int k = 0; k < 2; ++k) {
+    auto l = test::load(scene, start);
+    l.on.threads = 1 + 2 * k;
+    Workspace<test::Device> work;
+    run(l, work, 0.002);
+    position[k].resize(start.size());
+    for (Index i = 0; i < l.p.count; ++i) {
+      const double* x = l.p.position[i].x;
+      position[k][static_cast<std::size_t>(l.p.id[i])] = {x[0], x[1], x[2]};
+    }
+  }
+  EXPECT_EQ(position[0], position[1]);
+}
+
 TEST(Mixture, KnowsItsPorosityAlongWallsToo) {
   const Column c;
   const Scene<2> scene = scene_of(c);
