@@ -149,6 +149,19 @@ struct WaterParameters {
 enum class SedimentModel { off, viscoplastic, three_state };
 enum class Implementation { consistent, paper };
 enum class WallFriction { none, smooth };
+enum class SeepageModel { off, mixture };
+enum class PorePressureModel { off, diffusion };
+
+inline constexpr std::array<Choice<SeepageModel>, 2> choices(SeepageModel) {
+  return {{{SeepageModel::off, "off", "the bed is one fluid, into which no water seeps"},
+           {SeepageModel::mixture, "mixture",
+            "grains and pore water are two sets of particles in the same places, joined by Ergun's drag"}}};
+}
+inline constexpr std::array<Choice<PorePressureModel>, 2> choices(PorePressureModel) {
+  return {{{PorePressureModel::off, "off", "the bed drains at once"},
+           {PorePressureModel::diffusion, "diffusion",
+            "excess pore pressure rises as the bed is compressed, drains by consolidation and weakens the bed"}}};
+}
 
 inline constexpr std::array<Choice<WallFriction>, 2> choices(WallFriction) {
   return {{{WallFriction::none, "none", "water slips along walls"},
@@ -214,6 +227,8 @@ struct Model {
   BedShear bed_shear = BedShear::log_law;
   bool rest = true;
   WallFriction wall_friction = WallFriction::none;
+  SeepageModel seepage = SeepageModel::off;
+  PorePressureModel pore_pressure = PorePressureModel::off;
 
   /// How the friction angle becomes the coefficient in plane strain; Mohr-Coulomb has one answer.
   [[nodiscard]] YieldFit plane_strain_fit() const {
@@ -238,6 +253,8 @@ struct Model {
     v.flag("rest", rest,
            "Sediment that has been below yield for a while, with nothing moving about it, stops exactly and costs next "
            "to nothing until something wakes it.");
+    v.choice("seepage", seepage, "Whether water moves through the bed (docs/theory.md).");
+    v.choice("pore_pressure", pore_pressure, "Excess pore pressure in a bed of one fluid (docs/theory.md).");
   }
 };
 

@@ -28,6 +28,7 @@ class CaseCheck {
     domain();
     for (std::size_t i = 0; i < case_.shapes.size(); ++i) shape(i);
     phases();
+    seepage();
     numerics();
     times();
     references();
@@ -229,6 +230,33 @@ class CaseCheck {
       reject("model.sediment", "model.sediment is on, and no shape has the role sediment",
              "add a sediment shape or write sediment = \"off\"");
     }
+  }
+
+  void seepage() const {
+    const bool mixture = case_.model.seepage == SeepageModel::mixture;
+    const bool diffusion = case_.model.pore_pressure == PorePressureModel::diffusion;
+    const std::string key = mixture ? "model.seepage" : "model.pore_pressure";
+    if (!mixture && !diffusion) return;
+    if (!case_.has_sediment()) reject(key, key + " is on, and no shape has the role sediment", "remove it");
+    if (mixture && diffusion) {
+      reject("model.pore_pressure", "a mixture has the pressure of its pore water already", "choose one of the two");
+    }
+    if (case_.model.effective_pressure != EffectivePressure::column) {
+      reject("model.effective_pressure", key + " takes the effective pressure from the columns", "write \"column\"");
+    }
+    if (mixture && case_.model.sediment != SedimentModel::viscoplastic) {
+      reject("model.sediment", "the grains of a mixture have no states", "write sediment = \"viscoplastic\"");
+    }
+    if (mixture && case_.numerics.viscosity != ViscosityTreatment::implicit) {
+      reject("numerics.viscosity", "drag in a mixture is part of the implicit solve", "write \"implicit\"");
+    }
+    const SedimentParameters& s = case_.sediment();
+    if (s.pore_density != case_.water.density) {
+      reject(key, key + " needs pores full of the scene's water", "give pore_density the density of water");
+    }
+    if (!(s.porosity >= 0.2)) reject(key, key + " needs a porosity of 0.2 or more", "use Ergun's law where it holds");
+    if (!(case_.water.viscosity > 0))
+      reject(key, key + " needs the water's viscosity", "give materials.water.viscosity");
   }
 
   void numerics() const {

@@ -12,6 +12,7 @@
 #include "gencase/checks.hpp"
 #include "gencase/filling.hpp"
 #include "gencase/hydrostatic.hpp"
+#include "gencase/pore_water.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -162,7 +163,8 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   if (memory.total() > options.memory_limit) refuse_size(scene, particles, memory.total(), options.memory_limit);
 
   Generated result{scene, {}, {}};
-  const HydrostaticStart start(filling, shapes, column_gravity(scene, options));
+  const double gravity = column_gravity(scene, options);
+  const HydrostaticStart start(filling, shapes, gravity);
   Summary& summary = result.summary;
   summary.lattice_nodes = lattice.nodes();
   summary.fluid_height = start.fluid_height();
@@ -175,6 +177,11 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
                     "its density will vary by more than a percent",
                     scene.file.string(), result.resolved.numerics.maximum_speed, wave_speed));
   result.particles = make_particles(result.resolved, shapes, filling, start, summary);
+  if (scene.model.seepage == SeepageModel::mixture) {
+    const std::size_t added =
+        split_into_mixture(scene, shapes, filling, gravity, summary.sound_speed, result.particles);
+    options.say(fmt::format("{} particles of pore water in the places of the grains (model.seepage)", added));
+  }
   summary.shapes = summarise(shapes, filling);
   return result;
 }

@@ -17,6 +17,7 @@ inline constexpr const char* sediment = "SedimentState";  // structs Sediment an
 inline constexpr const char* bed = "BedSurface";
 inline constexpr const char* state = "ResolvedState";  // State, and rest
 }  // namespace checkpoint_array
+inline constexpr const char* excess_pore_pressure_array = "ExcessPorePressure";
 
 /// The numbers of structs of floats, and back; a checkpoint keeps them exactly.
 template <class Struct>
@@ -47,6 +48,11 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
   p.type.resize(n);
   p.rates.assign(n, Rates{});
   if (scene.has_sediment) p.sediment.assign(n, Sediment{});
+  if (scene.seepage.pore_pressure) {
+    p.excess_pore_pressure.assign(n, 0);
+    const auto known = from.scalars.find(excess_pore_pressure_array);
+    if (known != from.scalars.end()) p.excess_pore_pressure.assign(known->second.begin(), known->second.end());
+  }
   const auto exact_excess = from.scalars.find(checkpoint_array::excess);
   const auto states = from.scalars.find(checkpoint_array::state);
   if (scene.has_sediment) take_numbers(from, checkpoint_array::sediment, p.sediment.data(), n);
@@ -76,8 +82,9 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
     }
     ++fluid;
     const double rho0 = scene.density_at_rest(r.phase);
-    r.excess = exact_excess != from.scalars.end() ? exact_excess->second[i]
-                                                  : static_cast<float>(double(from.density[i]) / rho0 - 1);
+    r.excess = exact_excess != from.scalars.end()
+                   ? exact_excess->second[i]
+                   : static_cast<float>(double(from.density[i]) / double(scene.density_in_files(r.phase)) - 1);
     r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
     if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
     if (r.phase == phase_sediment) r.state = states != from.scalars.end() ? states->second[i] : state_deposit;
@@ -127,12 +134,15 @@ class SimulationOn final : public Simulation {
     f.device = name_;
     if (p_.count == 0) return f;
     f.list_entries_per_particle = double(p_.list_entries.size()) / p_.count;
-    const double bytes =
-        double(p_.record.size() * sizeof(Record) + p_.position.size() * sizeof(Position) +
-               p_.count * (sizeof(float) + sizeof(std::int64_t) + 1 + sizeof(Rates) + sizeof(Place)) +
-               p_.sediment.size() * sizeof(Sediment) + p_.bed.size() * sizeof(BedSurface) +
-               p_.list_entries.size() * sizeof(Index) + work_.viscous.coefficient.size() * sizeof(float) +
-               work_.viscous.row.size() * sizeof(typename ViscousSystem<Device>::Row));
+    const double bytes = double(
+        p_.record.size() * sizeof(Record) + p_.position.size() * sizeof(Position) +
+        p_.count * (sizeof(float) + sizeof(std::int64_t) + 1 + sizeof(Rates) + sizeof(Place)) +
+        p_.sediment.size() * sizeof(Sediment) + p_.bed.size() * sizeof(BedSurface) +
+        p_.list_entries.size() * sizeof(Index) + work_.viscous.coefficient.size() * sizeof(float) +
+        work_.viscous.row.size() * sizeof(typename ViscousSystem<Device>::Row) +
+        work_.mixture.pores.size() * sizeof(PoreState) +
+        (p_.excess_pore_pressure.size() + work_.pore_diffusion.loss.size() + work_.pore_diffusion.before.size()) *
+            sizeof(float));
     f.bytes_per_particle = bytes / p_.count;
     f.neighbours_mean = mean_neighbours();
     return f;
@@ -198,8 +208,15 @@ class SimulationOn final : public Simulation {
       out.type[i] = static_cast<ParticleType>(p_.type[i]);
       out.position[i] = Vec3(p_.position[i].x[0], p_.position[i].x[1], p_.position[i].x[2]);
       out.velocity[i] = Eigen::Vector3f(r.velocity[0], r.velocity[1], r.velocity[2]);
-      out.density[i] = scene_.density_at_rest(r.phase) * (1 + (r.phase == phase_wall ? 0 : r.excess));
+      out.density[i] = scene_.density_in_files(r.phase) * (1 + (r.phase == phase_wall ? 0 : r.excess));
       out.pressure[i] = r.pressure;
+    }
+    if (!work_.mixture.pores.empty()) {
+      auto& porosity = out.scalars["Porosity"];
+      for (std::size_t i = 0; i < n; ++i) porosity.push_back(i < p_.fluid_count ? work_.mixture.pores[i].porosity : 1);
+    }
+    if (scene_.seepage.pore_pressure) {
+      out.scalars[excess_pore_pressure_array].assign(p_.excess_pore_pressure.begin(), p_.excess_pore_pressure.end());
     }
     if (!scene_.has_sediment) return;
     auto& strain = out.scalars["StrainRate"];

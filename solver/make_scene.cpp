@@ -7,7 +7,9 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "solver/physics/consolidation.hpp"
 #include "solver/physics/drucker_prager.hpp"
+#include "solver/physics/ergun.hpp"
 #include "solver/physics/lift_settling.hpp"
 
 namespace thalweg {
@@ -100,6 +102,32 @@ RestCriteria make_rest(const Case& from) {
   return out;
 }
 
+SeepageScene make_seepage(const Case& from, double sound_speed) {
+  const SedimentParameters& s = from.sediment();
+  const double solids = 1 - s.porosity;
+  const double g = -from.domain.gravity.z();
+  SeepageScene out;
+  out.mixture = from.model.seepage == SeepageModel::mixture;
+  if (out.mixture) {
+    out.solids_at_rest = static_cast<float>(solids);
+    out.grain_diameter = static_cast<float>(s.grain_diameter);
+    // A packing at rest is then compressed by g.r/c^2, as water is.
+    out.skeleton_stiffness =
+        static_cast<float>(solids * (s.grain_density - s.pore_density) * sound_speed * sound_speed);
+    // Both sets free of each other: c^2 (1 + phi rho_w/(n rho_grain)), the fastest wave (docs/theory.md).
+    out.fast_wave = std::sqrt(1 + solids * s.pore_density / (s.porosity * s.grain_density));
+  }
+  out.pore_pressure = from.model.pore_pressure == PorePressureModel::diffusion;
+  if (out.pore_pressure) {
+    const double conductivity =
+        hydraulic_conductivity(permeability(s.porosity, s.grain_diameter), from.water.density, from.water.viscosity, g);
+    out.consolidation =
+        static_cast<float>(consolidation_coefficient(conductivity, s.oedometer_modulus, from.water.density * g));
+    out.pore_stiffness = static_cast<float>(s.bed_density() * sound_speed * sound_speed);
+  }
+  return out;
+}
+
 /// Box of the domain and of all particles (walls lie around the domain's fluid), with room for rounding.
 template <int Dim>
 void bounds(const Case& from, const ParticleSet& particles, Vec<Dim, double>& low, Vec<Dim, double>& high) {
@@ -178,10 +206,14 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
   if (s.has_sediment) {
     s.sediment = make_sediment(from, c);
-    s.sediment_density = static_cast<float>(from.sediment().bed_density());
+    s.seepage = make_seepage(from, c);
+    // The particles of a mixture are the grains alone.
+    s.sediment_density =
+        static_cast<float>(s.seepage.mixture ? from.sediment().grain_density : from.sediment().bed_density());
     s.has_states = from.model.sediment == SedimentModel::three_state;
     if (s.has_states) s.erosion = make_erosion<Dim>(from);
-    s.may_rest = from.model.rest && from.domain.gravity.norm() > 0;
+    // What seeps or drains is never at rest.
+    s.may_rest = from.model.rest && from.domain.gravity.norm() > 0 && !s.seepage.mixture && !s.seepage.pore_pressure;
     if (s.may_rest) s.rest = make_rest(from);
   }
   return s;

@@ -67,8 +67,9 @@ struct Particles {
   Buffer<std::uint8_t> type;
   Buffer<Rates> rates;
   Buffer<Sediment> sediment;
-  Buffer<BedSurface> bed;         // empty unless sediment has states
-  Buffer<std::uint8_t> stopping;  // scratch of passes/rest.hpp; empty unless sediment may rest
+  Buffer<BedSurface> bed;              // empty unless sediment has states
+  Buffer<std::uint8_t> stopping;       // scratch of passes/rest.hpp; empty unless sediment may rest
+  Buffer<float> excess_pore_pressure;  // [Pa] of sediment; empty unless scene.seepage.pore_pressure
 
   // Neighbour lists (passes/neighbours.hpp) and the places they were built for.
   Buffer<Place> listed_at;  // empty: no list yet

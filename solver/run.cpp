@@ -48,6 +48,16 @@ Case read_resolved_case(const RunOptions& options) {
   return c;
 }
 
+/// What goes beyond the paper is said, lest a result be taken for the paper's model.
+void announce_seepage(const Case& c) {
+  if (c.model.seepage == SeepageModel::mixture) {
+    spdlog::info("model.seepage = mixture: the bed is grains and pore water, joined by Ergun's drag");
+  }
+  if (c.model.pore_pressure == PorePressureModel::diffusion) {
+    spdlog::info("model.pore_pressure = diffusion: excess pore pressure weakens the bed");
+  }
+}
+
 ParticleSet read_start(const RunOptions& options, const Case& c) {
   const auto file = options.restart.empty() ? RunFolder{options.folder}.particles() : options.restart;
   ParticleSet particles = read_particles(file);
@@ -100,6 +110,7 @@ class Run {
     counts_.excluded = output_.excluded_before();
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
     if (c.has_sediment()) announce_choices(c);
+    announce_seepage(c);
   }
 
   Exit to_the_end() {

@@ -9,6 +9,7 @@
 #include "solver/physics/mu_of_i.hpp"
 #include "solver/physics/viscosity_treatment.hpp"
 #include "solver/record.hpp"
+#include "solver/seepage_scene.hpp"
 
 namespace thalweg {
 
@@ -101,9 +102,15 @@ struct Scene {
   RestCriteria rest;
   ErosionScene<Dim> erosion;
   SedimentScene sediment;
+  SeepageScene seepage;
 
   HOST_DEVICE float density_at_rest(float phase) const {
     return phase == phase_sediment ? sediment_density : water_density;
+  }
+  /// Density at rest in particle files, with which mass over density is the space a particle takes: a grain's with its
+  /// share of the pores.
+  [[nodiscard]] float density_in_files(float phase) const {
+    return density_at_rest(phase) * (phase == phase_sediment ? seepage.solids_at_rest : 1.0F);
   }
   HOST_DEVICE float stiffness(float phase) const { return tait_stiffness(density_at_rest(phase), sound_speed); }
   /// Along direction k of the scene, from place b to place a [m].

@@ -6,8 +6,10 @@
 #include "solver/passes/bed_states.hpp"
 #include "solver/passes/continuity.hpp"
 #include "solver/passes/integrate.hpp"
+#include "solver/passes/mixture.hpp"
 #include "solver/passes/momentum.hpp"
 #include "solver/passes/neighbours.hpp"
+#include "solver/passes/pore_pressure.hpp"
 #include "solver/passes/pressure.hpp"
 #include "solver/passes/rest.hpp"
 #include "solver/passes/sediment_strength.hpp"
@@ -22,6 +24,8 @@ template <class Device>
 struct Workspace {
   ViscousSystem<Device> viscous;
   ColumnWeight<Device> weight;
+  Mixture<Device> mixture;
+  PoreDiffusion<Device> pore_diffusion;
   std::int64_t list_rebuilds = 0;
 };
 
@@ -54,14 +58,18 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   const std::int64_t lists_before = work.list_rebuilds;
   timing.time(H::refresh_neighbours, [&] { result.excluded = refresh_neighbours(on, p, scene, work.list_rebuilds); });
   const bool new_lists = work.list_rebuilds != lists_before;
-  timing.time(H::apply_equation_of_state, [&] { apply_equation_of_state(on, p, scene); });
-  if (new_lists && scene.has_sediment) {
+  const bool mixture = scene.seepage.mixture;
+  timing.time(H::apply_equation_of_state, [&] {
+    mixture ? apply_mixture_state(on, p, scene, work.mixture) : apply_equation_of_state(on, p, scene);
+  });
+  // Pore pressure takes from the weight in every step.
+  if ((new_lists || scene.seepage.pore_pressure) && scene.has_sediment) {
     timing.time(H::weigh_sediment, [&] { weigh_sediment(on, p, scene, work.weight); });
   }
   if (new_lists && scene.may_rest) timing.time(H::update_rest, [&] { list_active_clusters(on, p); });
   timing.time(H::extrapolate_to_walls, [&] {
     if (p.any_resting) extrapolate_to_resting(on, p, scene);
-    extrapolate_to_walls(on, p, scene);
+    mixture ? extrapolate_mixture_to_walls(on, p, scene) : extrapolate_to_walls(on, p, scene);
   });
   if (scene.has_sediment) {
     timing.time(H::apply_rheology, [&] {
@@ -69,21 +77,32 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
       apply_rheology(on, p, scene);
     });
   }
-  timing.time(H::compute_accelerations, [&] { compute_accelerations(on, p, scene); });
+  timing.time(H::compute_accelerations, [&] {
+    mixture ? compute_mixture_accelerations(on, p, scene, work.mixture) : compute_accelerations(on, p, scene);
+  });
   timing.time(H::stable_time_step, [&] { result.step = stable_time_step(on, p, scene); });
   if (has_diverged(result)) return result;
   land_on_output(result.step, longest);
 
   timing.time(H::kick, [&] { kick(on, p, result.step.dt); });
   if (scene.has_sediment) {
-    timing.time(H::solve_viscosity, [&] { result.viscous = apply_viscosity(on, p, scene, work.viscous, result.step); });
+    timing.time(H::solve_viscosity, [&] {
+      result.viscous = mixture ? solve_mixture_viscosity(on, p, scene, work.mixture, work.viscous,
+                                                         static_cast<float>(result.step.dt))
+                               : apply_viscosity(on, p, scene, work.viscous, result.step);
+    });
   }
   if (has_diverged(result)) return result;
   const double dt = result.step.dt;  // viscosity may have shortened it
   timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
-  timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
+  timing.time(H::compute_density_rates, [&] {
+    mixture ? compute_mixture_density_rates(on, p, scene, work.mixture) : compute_density_rates(on, p, scene);
+  });
   timing.time(H::update_density, [&] { update_density(on, p, dt); });
   timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
+  if (scene.seepage.pore_pressure) {
+    timing.time(H::advance_pore_pressure, [&] { advance_pore_pressure(on, p, scene, work.pore_diffusion, dt); });
+  }
   bool woken = false;
   if (scene.has_states) {
     timing.time(H::update_bed_states, [&] {

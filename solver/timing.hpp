@@ -20,6 +20,7 @@ enum class Heading {
   drift,
   compute_density_rates,
   update_density,
+  advance_pore_pressure,
   update_rest,
   output,
   count
@@ -39,6 +40,7 @@ inline constexpr std::array<const char*, static_cast<std::size_t>(Heading::count
     "drift",
     "compute_density_rates",
     "update_density",
+    "advance_pore_pressure",
     "update_rest",
     "output"};
 

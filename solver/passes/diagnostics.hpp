@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/particles.hpp"
+#include "solver/passes/mixture.hpp"
 #include "solver/physics/equation_of_state.hpp"
 
 namespace thalweg {
@@ -53,7 +53,10 @@ Totals sum_totals(Device& on, const Particles<Device>& p, const Scene<Dim>& scen
         }
         t.kinetic_energy = 0.5 * m * u2;
         for (int k = 0; k < Dim; ++k) t.potential_energy -= m * double(scene.gravity[k]) * positions[i].x[axis<Dim>(k)];
-        if (!is_resting(r)) t.internal_energy = m * tait_energy(r.excess, scene.sound_speed);
+        const bool is_skeleton = scene.seepage.mixture && r.phase == phase_sediment;
+        if (!is_resting(r))
+          t.internal_energy =
+              m * (is_skeleton ? mixture::skeleton_energy(r.excess, scene) : tait_energy(r.excess, scene.sound_speed));
         (r.phase == phase_sediment ? t.sediment_mass : t.water_mass) = m;
         t.sediment = r.phase == phase_sediment ? 1 : 0;
         t.resting = is_resting(r) ? 1 : 0;

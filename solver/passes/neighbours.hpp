@@ -190,6 +190,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
   scratch_reorder(p.rates);
   if (scene.has_sediment) scratch_reorder(p.sediment);
   if (scene.has_states) scratch_reorder(p.bed);
+  if (scene.seepage.pore_pressure) scratch_reorder(p.excess_pore_pressure);
 
   const Index wall_begin = static_cast<Index>(std::lower_bound(key.begin(), key.end(), wall_section) - key.begin());
   const Index end = static_cast<Index>(std::lower_bound(key.begin(), key.end(), excluded_section) - key.begin());
@@ -208,6 +209,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
     p.rates.resize(end);
     if (scene.has_sediment) p.sediment.resize(end);
     if (scene.has_states) p.bed.resize(end);
+    if (scene.seepage.pore_pressure) p.excess_pore_pressure.resize(end);
   }
   p.count = end;
   p.fluid_count = wall_begin;

@@ -270,6 +270,7 @@ struct RheologyPass {
   Sediment* sediment;
   const BedSurface* bed;  // nullptr: all sediment is deposit
   SedimentScene law;
+  const float* excess_pore_pressure;  // [Pa], nullptr where the scene has none
   float solids_share;
   float einstein_coefficient;
   float water_viscosity;
@@ -282,6 +283,10 @@ struct RheologyPass {
       s.yield_stress = 0;
       r.viscosity = suspension_viscosity(water_viscosity, solids_share * bed[i].concentration, einstein_coefficient);
       return;
+    }
+    if (excess_pore_pressure != nullptr) {
+      const float carried = s.effective_pressure - excess_pore_pressure[i];
+      s.effective_pressure = carried > 0 ? carried : 0;
     }
     s.yield_stress = r.state == state_bed_load ? bed[i].critical_stress : yield_stress_of(law, s);
     const float apparent = apparent_viscosity_of(law, s);
@@ -358,8 +363,13 @@ int solve_effective_pressure(Device& on, Particles<Device>& p, const Scene<Dim>&
 
 template <int Dim, class Device>
 void apply_rheology(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  const RheologyPass pass{p.record.data(),      p.sediment.data(),          scene.has_states ? p.bed.data() : nullptr,
-                          scene.sediment,       scene.erosion.solids_share, scene.erosion.einstein_coefficient,
+  const RheologyPass pass{p.record.data(),
+                          p.sediment.data(),
+                          scene.has_states ? p.bed.data() : nullptr,
+                          scene.sediment,
+                          scene.seepage.pore_pressure ? p.excess_pore_pressure.data() : nullptr,
+                          scene.erosion.solids_share,
+                          scene.erosion.einstein_coefficient,
                           scene.water_viscosity};
   for_each_member(on, p.list(), p.near_sediment(), pass);
   if (p.any_resting) for_each_member(on, p.list(), p.shore(), pass);

@@ -100,7 +100,7 @@ TimeStep stable_time_step(Device& on, const Particles<Device>& p, const Scene<Di
   const double h = scene.smoothing_length;
   const double u = std::sqrt(double(step.extremes.speed2));
   const double a = std::sqrt(double(step.extremes.acceleration2));
-  step.dt = scene.cfl * h / (double(scene.sound_speed) + u);
+  step.dt = scene.cfl * h / (double(scene.sound_speed) * scene.seepage.fast_wave + u);
   const double force = a > 0 ? scene.cfl * std::sqrt(h / a) : step.dt;
   if (force < step.dt) step.dt = force, step.limiter = Limiter::force;
   if (scene.water_viscosity > 0) {

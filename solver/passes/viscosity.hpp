@@ -40,28 +40,34 @@ struct ViscousResult {
   std::int64_t capped = 0;  // particles whose viscosity was cut
 };
 
-/// dt k_ab [kg] of a pair moving with u = u_a - u_b: among sediment, of sediment on walls (no slip), between water and
-/// sediment (passes/momentum.hpp has water's own).
-template <int Dim, class LaneT, class Sep, class L>
-HOST_DEVICE inline L sediment_pair_coefficient(const Scene<Dim>& scene, float dt, const LaneT& a, const LaneT& b,
-                                               const Sep& s, const Vec<Dim, L>& u) {
-  const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
-  const auto a_sediment = a.phase > L(phase_water + 0.5F);
-  const auto b_sediment = b.phase > L(phase_water + 0.5F);
-  const auto b_wall = b.phase < L(phase_wall + 0.5F);
-  const L interface = L(2.0F) * interface_viscosity(L(scene.water_viscosity), L(scene.water_density),
-                                                    lane_sqrt(dot(u, u)), L(static_cast<float>(scene.spacing)));
-  const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
-  const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
-  const L of_water = lane_select(b_sediment, interface, L(0.0F));
-  return L(dt) * viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water), F);
-}
+/// What couples the velocities of two particles in a single-layer bed: the sediment's viscosity, and the layer between
+/// water and sediment.
+template <int Dim>
+struct ViscousCoupling {
+  static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
+  Scene<Dim> scene;
+
+  /// k_ab [kg/s]; u = u_a - u_b.
+  template <class LaneT, class L>
+  HOST_DEVICE L coefficient(const LaneT& a, const LaneT& b, const Vec<Dim, L>& u, const L& closeness) const {
+    const auto a_sediment = a.phase > L(phase_water + 0.5F);
+    const auto b_sediment = b.phase > L(phase_water + 0.5F);
+    const auto b_wall = b.phase < L(phase_wall + 0.5F);
+    const L interface = L(2.0F) * interface_viscosity(L(scene.water_viscosity), L(scene.water_density),
+                                                      lane_sqrt(dot(u, u)), L(static_cast<float>(scene.spacing)));
+    const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
+    const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
+    const L of_water = lane_select(b_sediment, interface, L(0.0F));
+    return viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water),
+                               scene.kernel.gradient(closeness));
+  }
+};
 
 /// Pair sweep: the coefficients dt k_ab, the diagonal and the residual of the velocities u in the records, which are
 /// the explicit ones u* and a first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b).
-template <int Dim, class Row>
+template <int Dim, class Row, class Coupling>
 struct ViscousCoefficientSweep {
-  static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
+  static constexpr unsigned quads = Coupling::quads;
   template <class L>
   struct Sum {
     L coefficients;
@@ -73,13 +79,14 @@ struct ViscousCoefficientSweep {
   const Sediment* sediment;
   float* coefficient;
   Row* rows;
-  Scene<Dim> scene;
+  Coupling coupling;
   float dt;
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
     const Vec<Dim, L> u = a.velocity - b.velocity;
-    const L k = sediment_pair_coefficient(scene, dt, a, b, s, u);
+    const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
+    const L k = L(dt) * coupling.coefficient(a, b, u, closeness);
     lane_store(coefficient + entry, k);
     sum.coefficients += k;
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
@@ -187,9 +194,9 @@ double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Di
 /// converge within scene.viscous_iterations. The residual it stops at is
 /// scene.viscous_tolerance of the momentum that gravity and the present accelerations give in one step (without
 /// gravity: of the first residual).
-template <int Dim, class Device>
+template <int Dim, class Device, class Coupling>
 ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
-                              float dt) {
+                              float dt, const Coupling& coupling) {
   using viscosity::dot3;
   using Row = typename ViscousSystem<Device>::Row;
   const ClusterList list = p.list();
@@ -210,9 +217,9 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   each([=](Index i) {
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
   });
-  on.template sweep<Dim>(
-      list, range, records, scene.lattice.quantum,
-      ViscousCoefficientSweep<Dim, Row>{records, mass, sediment, system.coefficient.data(), rows, scene, dt});
+  on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
+                         ViscousCoefficientSweep<Dim, Row, Coupling>{records, mass, sediment, system.coefficient.data(),
+                                                                     rows, coupling, dt});
   Norms now = norms([=](Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
     return viscosity::norms_of(rows[i]);
@@ -256,6 +263,12 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
     }
   });
   return result;
+}
+
+template <int Dim, class Device>
+ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                              float dt) {
+  return solve_viscosity(on, p, scene, system, dt, ViscousCoupling<Dim>{scene});
 }
 
 }  // namespace thalweg

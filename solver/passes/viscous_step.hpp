@@ -18,13 +18,14 @@ struct ExplicitViscositySweep {
 
   Record* records;
   const float* mass;
-  Scene<Dim> scene;
+  ViscousCoupling<Dim> coupling;
   float dt;
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
     const Vec<Dim, L> u = a.velocity - b.velocity;
-    const L k = sediment_pair_coefficient(scene, dt, a, b, s, u);
+    const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
+    const L k = L(dt) * coupling.coefficient(a, b, u, closeness);
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
   }
 
@@ -39,7 +40,7 @@ template <int Dim, class Device>
 void apply_explicit_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, float dt) {
   Record* records = p.record.data();
   on.template sweep<Dim>(p.list(), p.near_sediment(), records, scene.lattice.quantum,
-                         ExplicitViscositySweep<Dim>{records, p.mass.data(), scene, dt});
+                         ExplicitViscositySweep<Dim>{records, p.mass.data(), {scene}, dt});
   for_each_member(on, p.list(), p.near_sediment(), [=](Index i) {
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += records[i].work[c];
   });

@@ -22,6 +22,7 @@ struct SedimentParameters {
   double roughness = 0;               // [m] ks; 0: the grain diameter
   double lift_ratio = 0.85;           // [-] lift over drag of a grain
   double critical_shields = 0;        // [-]; 0: by the grain Reynolds number
+  double oedometer_modulus = 1e6;     // [Pa]
 
   /// Density of the bed as a whole, grains and what fills the pores [kg/m^3].
   [[nodiscard]] double bed_density() const { return porosity * pore_density + (1 - porosity) * grain_density; }
@@ -56,6 +57,9 @@ struct SedimentParameters {
     v.number("lift_ratio", lift_ratio, 0, 0.99, "Lift over drag of a grain on the bed (three-state).");
     v.number("critical_shields", critical_shields, 0, 1,
              "Shields number at which a flat bed begins to move; 0: by the grain Reynolds number.");
+    v.quantity("oedometer_modulus", oedometer_modulus, "Pa", 1e3, 1e11,
+               "Stiffness of the packing against compression, with which excess pore pressure drains "
+               "(model.pore_pressure).");
   }
 };
 

@@ -20,13 +20,18 @@ void expect_same(const ParticleSet& a, const ParticleSet& b) {
   EXPECT_EQ(a.scalars, b.scalars);
 }
 
-TEST(Restart, ContinuesBitForBit) {
+/// The options that keep more of a particle than the others.
+class Restart : public testing::TestWithParam<const char*> {};
+
+TEST_P(Restart, ContinuesBitForBit) {
+  std::vector<std::string> overrides = short_louvain;
+  overrides.emplace_back(GetParam());
   test::CaseRun straight("straight");
-  straight.fill("louvain", short_louvain);
+  straight.fill("louvain", overrides);
   ASSERT_EQ(run_solver(straight.options()), Exit::done);
 
   test::CaseRun broken("broken");
-  broken.fill("louvain", short_louvain);
+  broken.fill("louvain", overrides);
   RunOptions half = broken.options();
   half.until = "0.05 s";
   ASSERT_EQ(run_solver(half), Exit::done);
@@ -40,8 +45,11 @@ TEST(Restart, ContinuesBitForBit) {
   const auto time = CsvTable::read(broken.folder().history()).numbers("time", "s");
   for (std::size_t i = 1; i < time.size(); ++i) EXPECT_GT(time[i], time[i - 1]);
 }
+INSTANTIATE_TEST_SUITE_P(Options, Restart,
+                         testing::Values("model.seepage=off", "model.seepage=mixture",
+                                         "model.pore_pressure=diffusion"));
 
-TEST(Restart, RefusesACheckpointThatIsAtTheEnd) {
+TEST(RestartCheck, RefusesACheckpointThatIsAtTheEnd) {
   test::CaseRun run("at_end");
   run.fill("louvain", short_louvain);
   ASSERT_EQ(run_solver(run.options()), Exit::done);
