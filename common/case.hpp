@@ -203,7 +203,7 @@ inline constexpr std::array<Choice<Rheology>, 2> choices(Rheology) {
 }
 inline constexpr std::array<Choice<ViscosityTreatment>, 3> choices(ViscosityTreatment) {
   return {{{ViscosityTreatment::implicit, "implicit", "solved for at the end of the step"},
-           {ViscosityTreatment::explicit_, "explicit", "explicit, with steps 50 to 400 times shorter"},
+           {ViscosityTreatment::explicit_steps, "explicit", "explicit, with steps 50 to 400 times shorter"},
            {ViscosityTreatment::capped, "capped",
             "explicit, the viscosity cut to what the acoustic step can take: the bed creeps"}}};
 }

@@ -107,7 +107,7 @@ TimeStep stable_time_step(Device& on, const Particles<Device>& p, const Scene<Di
     const double viscous = 0.125 * h * h * double(scene.water_density) / double(scene.water_viscosity);
     if (viscous < step.dt) step.dt = viscous, step.limiter = Limiter::viscosity;
   }
-  if (scene.has_sediment && scene.viscosity == ViscosityTreatment::explicit_) {
+  if (scene.has_sediment && scene.viscosity == ViscosityTreatment::explicit_steps) {
     const double viscous = viscous_time_step(h, largest_sediment_viscosity(on, p, scene, 2 * u));
     if (viscous < step.dt) step.dt = viscous, step.limiter = Limiter::viscosity;
   }

@@ -16,10 +16,11 @@ HOST_DEVICE inline Real inertial_number(Real gdot, Real diameter, Real grain_den
 }
 
 /// Friction coefficient mu(I) = mu_s + (mu_2 - mu_s)/(1 + I0/I) [-] of a dense granular flow (Jop, Forterre & Pouliquen
-/// 2006, Nature 441, 727-730); mu_s at I = 0. Glass beads: mu_s = 0.38, mu_2 = 0.64, I0 = 0.279; mu(I0) = 0.51.
+/// 2006, Nature 441, 727-730); mu_s at I = 0, half_way = I0. Glass beads: mu_s = 0.38, mu_2 = 0.64, I0 = 0.279; mu(I0)
+/// = 0.51.
 template <class Real>
-HOST_DEVICE inline Real friction_of_inertial_number(Real I, Real mu_s, Real mu_2, Real I0) {
-  return mu_s + (mu_2 - mu_s) * I / (I0 + I);
+HOST_DEVICE inline Real friction_of_inertial_number(Real I, Real mu_s, Real mu_2, Real half_way) {
+  return mu_s + (mu_2 - mu_s) * I / (half_way + I);
 }
 
 /// What the inertial number is made of, beside pressure and rate.

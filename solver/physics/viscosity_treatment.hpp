@@ -6,9 +6,9 @@ namespace thalweg {
 
 /// How the viscosity of the sediment, and between water and sediment, is advanced in time.
 ///   implicit       at the end of the step, by solving a linear system; the default
-///   explicit_      from the velocities at hand, with steps short enough for the largest viscosity
+///   explicit_steps      from the velocities at hand, with steps short enough for the largest viscosity
 ///   capped         likewise, with the viscosity cut to what the acoustic step can take: a bed creeps
-enum class ViscosityTreatment { implicit, explicit_, capped };
+enum class ViscosityTreatment { implicit, explicit_steps, capped };
 
 /// Longest stable step of an explicit treatment [s], 0.125 h^2/nu (Morris, Fox & Zhu 1997, J. Comput. Phys. 136,
 /// 214-226), h smoothing length [m], nu kinematic viscosity [m^2/s].

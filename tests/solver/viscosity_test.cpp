@@ -139,11 +139,11 @@ TEST(ExplicitViscosity, BecomesTheImplicitOneWithShortSteps) {
   std::vector<double> difference;
   for (const int steps : {20, 40, 80}) {
     std::vector<float> u[2];
-    for (const auto treatment : {ViscosityTreatment::implicit, ViscosityTreatment::explicit_}) {
+    for (const auto treatment : {ViscosityTreatment::implicit, ViscosityTreatment::explicit_steps}) {
       auto l = stirred_block();
       l.scene.viscosity = treatment;
       for (Index i = 0; i < l.p.fluid_count; ++i) l.p.record[i].viscosity = 100;
-      u[treatment == ViscosityTreatment::explicit_] = velocities_after(l, 1e-3 / steps, steps);
+      u[treatment == ViscosityTreatment::explicit_steps] = velocities_after(l, 1e-3 / steps, steps);
     }
     difference.push_back(rms_difference(u[0], u[1]));
   }
@@ -154,7 +154,7 @@ TEST(ExplicitViscosity, BecomesTheImplicitOneWithShortSteps) {
 
 TEST(ExplicitViscosity, KeepsMomentumWithoutWalls) {
   auto l = stirred_block();
-  l.scene.viscosity = ViscosityTreatment::explicit_;
+  l.scene.viscosity = ViscosityTreatment::explicit_steps;
   for (Index i = l.p.fluid_count; i < l.p.count; ++i) l.p.record[i].volume = 0;
   const Totals before = sum_totals(l.on, l.p, l.scene);
   velocities_after(l, 1e-7, 10);
@@ -168,7 +168,7 @@ TEST(ExplicitViscosity, KeepsMomentumWithoutWalls) {
 TEST(ExplicitViscosity, ShortensTheStep) {
   auto l = stirred_block();
   for (Index i = 0; i < l.p.fluid_count; ++i) l.p.record[i].viscosity = 1300;
-  l.scene.viscosity = ViscosityTreatment::explicit_;
+  l.scene.viscosity = ViscosityTreatment::explicit_steps;
   const TimeStep step = stable_time_step(l.on, l.p, l.scene);
   EXPECT_EQ(step.limiter, Limiter::viscosity);
   EXPECT_NEAR(step.dt, 0.125 * 0.015 * 0.015 / 1, 1e-10);  // nu = 1 m^2/s
