@@ -41,24 +41,20 @@ end = "1 s"
 def write_sphere(path, rings):
     """A sphere of 2 rings (2 rings - 2) facets in binary STL."""
     def place(ring, side):
-        polar, around = math.pi * ring / rings, math.pi * side / rings
+        if ring in (0, rings):  # the poles are one point each, whatever the angle
+            return (0.0, 0.0, 1.0 if ring == 0 else -1.0)
+        polar, around = math.pi * ring / rings, math.pi * (side % (2 * rings)) / rings
         return (math.sin(polar) * math.cos(around), math.sin(polar) * math.sin(around), math.cos(polar))
     facets = []
     for ring in range(rings):
         for side in range(2 * rings):
-            a, b = place(ring, side), place(ring, (side + 1) % (2 * rings))
-            c, d = place(ring + 1, (side + 1) % (2 * rings)), place(ring + 1, side)
+            a, b, c, d = place(ring, side), place(ring, side + 1), place(ring + 1, side + 1), place(ring + 1, side)
             if ring > 0:
-                facets.append((a, c, b))
+                facets.append((*a, *c, *b))
             if ring < rings - 1:
-                facets.append((a, d, c))
-    # The poles are one point each, whatever the angle.
-    poles = {0: (0.0, 0.0, 1.0), rings: (0.0, 0.0, -1.0)}
+                facets.append((*a, *d, *c))
     data = b"sphere".ljust(80) + struct.pack("<I", len(facets))
-    for facet in facets:
-        corners = [min(poles.values(), key=lambda p: math.dist(p, q)) if abs(abs(q[2]) - 1) < 1e-12 else q
-                   for q in facet]
-        data += struct.pack("<3f", 0, 0, 0) + b"".join(struct.pack("<3f", *c) for c in corners) + b"\0\0"
+    data += b"".join(struct.pack("<12fH", 0, 0, 0, *facet, 0) for facet in facets)
     path.write_bytes(data)
     return len(facets)
 

@@ -14,6 +14,25 @@ bool overlap(const Bounds& a, const Bounds& b) {
   return (a.lower.array() < b.upper.array()).all() && (b.lower.array() < a.upper.array()).all();
 }
 
+/// Combines, and where bodies touch without overlapping, so that the result would be no surface, moves the second one
+/// by `nudge` [m], which nobody can see, in one direction or another. Throws NoManifold when that does not help.
+Triangles combine_nudged(const Triangles& a, const Triangles& b, Boolean how, double nudge) {
+  try {
+    return combine(a, b, how);
+  } catch (const NoManifold&) {
+    for (const Vec3& direction : {Vec3(1, 0.7, 0.4), Vec3(-1, 0.4, 0.7), Vec3(0.7, -1, 0.4), Vec3(-0.4, -0.7, 1)}) {
+      Triangles moved = b;
+      for (Vec3& p : moved.points) p += nudge * direction;
+      try {
+        return combine(a, moved, how);
+      } catch (const NoManifold&) {
+        continue;
+      }
+    }
+    throw;
+  }
+}
+
 Triangles clipped(const Triangles& surface, const Bounds& box) {
   return combine(surface, tessellate_box(box.lower, box.upper), Boolean::intersect);
 }
@@ -57,7 +76,7 @@ std::optional<Triangles> FlowRoom::triangles(const Bounds& around, double deviat
   for (const RegionPointer& room : rooms_) {
     const auto inside = room->triangles(deviation);
     if (!inside) return std::nullopt;
-    flow = combine(flow, clipped(*inside, around), Boolean::unite);
+    flow = combine_nudged(flow, clipped(*inside, around), Boolean::unite, 1e-3 * deviation);
   }
   for (const Layer& layer : layers_) {
     // A container's wall lies around its own room and matters to what reaches through it only.
@@ -72,8 +91,8 @@ std::optional<Triangles> FlowRoom::triangles(const Bounds& around, double deviat
     }
     const auto body = layer.region->triangles(deviation);
     if (!body) return std::nullopt;
-    flow =
-        combine(flow, layer.solid ? *body : clipped(*body, around), layer.solid ? Boolean::subtract : Boolean::unite);
+    flow = combine_nudged(flow, layer.solid ? *body : clipped(*body, around),
+                          layer.solid ? Boolean::subtract : Boolean::unite, 1e-3 * deviation);
   }
   return flow;
 }

@@ -49,7 +49,7 @@ class Within : public PartOfRoom {
 
 class Filled : public PartOfRoom {
  public:
-  Filled(FlowRoom room, const Bounds& box) : PartOfRoom(std::move(room)), box_(box) {}
+  Filled(FlowRoom room, Bounds box) : PartOfRoom(std::move(room)), box_(std::move(box)) {}
   [[nodiscard]] Bounds bounds() const override { return box_; }
   [[nodiscard]] Spans cut(const Line& line) const override {
     if (beside(line, box_)) return {};
@@ -62,8 +62,8 @@ class Filled : public PartOfRoom {
 
 class Layer : public PartOfRoom {
  public:
-  Layer(FlowRoom room, const Bounds& box, double thickness, int axis)
-      : PartOfRoom(std::move(room)), box_(box), thickness_(thickness), axis_(axis) {}
+  Layer(FlowRoom room, Bounds box, double thickness, int axis)
+      : PartOfRoom(std::move(room)), box_(std::move(box)), thickness_(thickness), axis_(axis) {}
   [[nodiscard]] Bounds bounds() const override { return box_; }
   [[nodiscard]] Spans cut(const Line& line) const override {
     if (beside(line, box_) || line.axis != axis_) return {};

@@ -157,6 +157,20 @@ TEST(MeshWalls, AreCompleteWithinReachOfTheFluid) {
   expect_complete_walls(scene, *make_polyhedron(pier));
 }
 
+TEST(MeshWalls, AreCompleteWhereBodiesTouchInAnEdgeOnly) {
+  // Two blocks on the floor with one edge in common: their union has no two-manifold skin.
+  const Triangles first = tessellate_box(Vec3(0.5, 0.5, 0), Vec3(1, 1, 0.7));
+  const Triangles second = tessellate_box(Vec3(1, 1, 0), Vec3(1.6, 1.4, 0.6));
+  EXPECT_THROW(combine(first, second, Boolean::unite), NoManifold);
+  Case scene = empty_scene(3, 0.1);
+  add_tank(scene, Vec3(0, 0, 0), Vec3(2, 2, 1));
+  add_mesh(scene, "first", ShapeRole::wall, first);
+  add_mesh(scene, "second", ShapeRole::wall, second);
+  add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(2, 2, 0.4));
+  expect_complete_walls(scene, *make_polyhedron(first));
+  expect_complete_walls(scene, *make_polyhedron(second));
+}
+
 TEST(MeshWalls, FootOfAPierLooksAtTheRingWhereItMeetsTheFloor) {
   // The pier of surface_test.cpp as a mesh: below the floor the nearest flow is where pier and floor meet.
   Case scene = empty_scene(3, 0.1);
