@@ -29,8 +29,16 @@ bool shape_uses_key(const Shape& shape, std::string_view key, int dimension) {
   const bool is_wall = shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall;
   if (key == "name" || key == "kind" || key == "role") return true;
   if (key == "material") return shape.role == ShapeRole::sediment;
-  if (key == "side" || key == "thickness") return is_wall;
+  const bool from_file = shape.kind == ShapeKind::mesh || shape.kind == ShapeKind::bathymetry;
+  const bool combined = shape.kind == ShapeKind::combine_union || shape.kind == ShapeKind::combine_difference ||
+                        shape.kind == ShapeKind::combine_intersection;
+  if (key == "side") return is_wall;
+  if (key == "thickness") return is_wall || shape.kind == ShapeKind::layer;
   if (key == "open") return is_wall && shape.kind == ShapeKind::box && shape.side == WallSide::outside;
+  if (key == "scale" || key == "rotate" || key == "move" || key == "repair") return from_file;
+  if (key == "end_radius") return shape.kind == ShapeKind::cone;
+  if (key == "axis") return shape.kind == ShapeKind::prism && dimension == 3;
+  if (key == "boolean") return combined;
   const std::vector<std::string> geometry = shape_needs_keys(shape, dimension);
   return std::find(geometry.begin(), geometry.end(), key) != geometry.end();
 }
@@ -42,8 +50,21 @@ std::vector<std::string> shape_needs_keys(const Shape& shape, int dimension) {
     case ShapeKind::cylinder:
       if (dimension == 2) return {"center", "radius"};
       return {"from", "to", "radius"};
+    case ShapeKind::cone:
+      return {"from", "to", "radius"};
     case ShapeKind::sphere:
       return {"center", "radius"};
+    case ShapeKind::prism:
+      if (dimension == 2) return {"polygon"};
+      return {"polygon", "extent"};
+    case ShapeKind::mesh:
+      return {"file"};
+    case ShapeKind::bathymetry:
+      return {"file", "base"};
+    case ShapeKind::level:
+      return {"level"};
+    case ShapeKind::layer:
+      return {"thickness"};
     case ShapeKind::combine_union:
     case ShapeKind::combine_difference:
     case ShapeKind::combine_intersection:

@@ -28,8 +28,8 @@
 ///   text(key, std::string&, sentence)
 ///   texts(key, std::vector<std::string>&, sentence)
 ///   point(key, Vec3&, si_unit, sentence)                        one entry per dimension: [x, z] in 2-D, [x, y, z] in
-///   3-D quantities(key, std::vector<double>&, si_unit, low, high, sentence) choice(key, E&, sentence) the names come
-///   from choices(E)
+///   3-D quantities(key, std::vector<double>&, si_unit, low, high, sentence) polygon(key, std::vector<Vector2d>&,
+///   si_unit, sentence) [[x, z], …] choice(key, E&, sentence) the names come from choices(E)
 namespace thalweg {
 
 /// Marks a number the case file has to give.
@@ -73,15 +73,41 @@ struct Domain {
   }
 };
 
-enum class ShapeKind { box, cylinder, sphere, combine_union, combine_difference, combine_intersection };
+enum class ShapeKind {
+  box,
+  cylinder,
+  cone,
+  sphere,
+  prism,
+  mesh,
+  bathymetry,
+  level,
+  layer,
+  combine_union,
+  combine_difference,
+  combine_intersection
+};
 enum class ShapeRole { none, water, sediment, wall, moving_wall, empty };
-enum class WallSide { inside, outside };
+enum class WallSide { inside, outside, both };
+enum class Axis { x, y, z };
+enum class BooleanMethod { exact, voxel };
 
-inline constexpr std::array<Choice<ShapeKind>, 6> choices(ShapeKind) {
+inline constexpr std::array<Choice<ShapeKind>, 12> choices(ShapeKind) {
   return {{{ShapeKind::box, "box", "between the corners `from` and `to`"},
            {ShapeKind::cylinder, "cylinder",
             "`radius` around the segment from `from` to `to` (3-D), or a disc around `center` (2-D)"},
+           {ShapeKind::cone, "cone",
+            "`radius` at `from`, `end_radius` at `to`: a cone or a frustum; in 2-D its cut through the axis"},
            {ShapeKind::sphere, "sphere", "`radius` around `center`; a disc in 2-D"},
+           {ShapeKind::prism, "prism", "the `polygon`, in 3-D along `axis` over `extent`"},
+           {ShapeKind::mesh, "mesh",
+            "the closed surface in `file` (STL, OBJ, OFF, PLY or VTP), scaled, rotated, then moved; in 2-D its cut by "
+            "the plane y = 0"},
+           {ShapeKind::bathymetry, "bathymetry",
+            "everything between the height `base` and the surface in `file`: points x, y, z in a CSV table, x, z for a "
+            "surface without change in y, or an open surface mesh"},
+           {ShapeKind::level, "level", "the inside of the containers before it in the case, up to `level`"},
+           {ShapeKind::layer, "layer", "`thickness` above the floor that the walls before it leave in the containers"},
            {ShapeKind::combine_union, "union", "all of the shapes named in `of`"},
            {ShapeKind::combine_difference, "difference", "the first shape of `of` without the others"},
            {ShapeKind::combine_intersection, "intersection", "what the shapes of `of` share"}}};
@@ -94,9 +120,21 @@ inline constexpr std::array<Choice<ShapeRole>, 6> choices(ShapeRole) {
            {ShapeRole::moving_wall, "moving wall", "a wall with a prescribed motion"},
            {ShapeRole::empty, "empty", "takes away what earlier shapes put there"}}};
 }
-inline constexpr std::array<Choice<WallSide>, 2> choices(WallSide) {
-  return {{{WallSide::inside, "inside", "the shape is a solid body in the flow"},
-           {WallSide::outside, "outside", "the shape is a container and the wall lies around it"}}};
+inline constexpr std::array<Choice<WallSide>, 3> choices(WallSide) {
+  return {
+      {{WallSide::inside, "inside", "the shape is a solid body in the flow"},
+       {WallSide::outside, "outside", "the shape is a container and the wall lies around it"},
+       {WallSide::both, "both", "meshes: the surface, open or closed, is a plate; half the wall lies on each side"}}};
+}
+inline constexpr std::array<Choice<Axis>, 3> choices(Axis) {
+  return {{{Axis::x, "x", "the polygon's points are y, z"},
+           {Axis::y, "y", "the polygon's points are x, z"},
+           {Axis::z, "z", "the polygon's points are x, y"}}};
+}
+inline constexpr std::array<Choice<BooleanMethod>, 2> choices(BooleanMethod) {
+  return {{{BooleanMethod::exact, "exact", "surface meshes are cut against each other with exact arithmetic"},
+           {BooleanMethod::voxel, "voxel",
+            "lattice points are combined one by one; for surfaces whose exact combination is refused"}}};
 }
 
 /// One [[shape]]. Later shapes take the place of earlier ones where they overlap.
@@ -104,11 +142,23 @@ struct Shape {
   std::string name;
   ShapeKind kind = ShapeKind::box;
   ShapeRole role = ShapeRole::none;
-  Vec3 from = Vec3::Zero();    // [m]
-  Vec3 to = Vec3::Zero();      // [m]
-  Vec3 center = Vec3::Zero();  // [m]
-  double radius = 0;           // [m]
+  Vec3 from = Vec3::Zero();              // [m]
+  Vec3 to = Vec3::Zero();                // [m]
+  Vec3 center = Vec3::Zero();            // [m]
+  double radius = 0;                     // [m]
+  double end_radius = 0;                 // [m]
+  std::vector<Eigen::Vector2d> polygon;  // [m]
+  Axis axis = Axis::y;
+  std::vector<double> extent;  // [m]
+  std::string file;
+  double scale = 1;            // [-]
+  std::vector<double> rotate;  // [rad]
+  std::vector<double> move;    // [m]
+  bool repair = false;
+  double base = 0;   // [m]
+  double level = 0;  // [m]
   std::vector<std::string> of;
+  BooleanMethod boolean = BooleanMethod::exact;
   std::string material;
   WallSide side = WallSide::inside;
   std::vector<std::string> open;
@@ -120,18 +170,63 @@ struct Shape {
     v.text("name", name, "Name of the shape, unique in the case.");
     v.choice("kind", kind, "What it is.");
     v.choice("role", role, "What it is made of.");
-    v.point("from", from, "m", "box: lower corner; cylinder: one end of the axis.");
-    v.point("to", to, "m", "box: upper corner; cylinder: other end of the axis.");
+    v.point("from", from, "m", "box: lower corner; cylinder, cone: one end of the axis.");
+    v.point("to", to, "m", "box: upper corner; cylinder, cone: other end of the axis.");
     v.point("center", center, "m", "sphere: its centre; cylinder in 2-D: centre of the disc.");
-    v.quantity("radius", radius, "m", 0, 1e6, "sphere, cylinder: the radius.");
+    v.quantity("radius", radius, "m", 0, 1e6, "sphere, cylinder: the radius; cone: the radius at `from`.");
+    v.quantity("end_radius", end_radius, "m", 0, 1e6, "cone: the radius at `to`; 0: a point.");
+    v.polygon("polygon", polygon, "m", "prism: corners in order, in the plane across `axis`; 2-D: x, z.");
+    v.choice("axis", axis, "prism in 3-D: the direction along which the polygon extends.");
+    v.quantities("extent", extent, "m", -1e9, 1e9, "prism in 3-D: where it begins and ends along `axis`.");
+    v.text("file", file, "mesh, bathymetry: the file, relative to the case's folder.");
+    v.number("scale", scale, 1e-9, 1e9, "mesh, bathymetry: metres in one unit of the file; 0.001 for millimetres.");
+    v.quantities("rotate", rotate, "rad", -7, 7,
+                 "mesh, bathymetry: three angles by which it is turned about the x, then the y, then the z axis.");
+    v.quantities("move", move, "m", -1e9, 1e9,
+                 "mesh, bathymetry: three distances by which it is moved in x, y, z, after scaling and turning.");
+    v.flag("repair", repair,
+           "mesh, bathymetry: stitch gaps, turn faces alike and fill small holes, and say so; else such a file is "
+           "refused.");
+    v.quantity("base", base, "m", -1e9, 1e9, "bathymetry: the height down to which the body reaches.");
+    v.quantity("level", level, "m", -1e9, 1e9, "level: the height up to which the containers are filled.");
     v.texts("of", of, "union, difference, intersection: names of the shapes combined.");
+    v.choice("boolean", boolean, "union, difference, intersection with a mesh among their shapes: how to combine.");
     v.text("material", material, "role = \"sediment\": name of the material; may be left out when there is only one.");
     v.choice("side", side, "Walls: which side of the surface is wall.");
     v.texts("open", open,
             "Container walls (side = \"outside\") of a box: faces without wall, any of \"-x\", \"+x\", \"-y\", \"+y\", "
             "\"-z\", \"+z\".");
     v.quantity("thickness", thickness, "m", 0, 1e6,
-               "Walls: thickness; default: as much as the kernel's support needs.");
+               "layer: height above the floor. Walls: thickness; default: as much as the kernel's support needs.");
+  }
+};
+
+enum class LatticeAnchor { walls, domain, point };
+
+inline constexpr std::array<Choice<LatticeAnchor>, 3> choices(LatticeAnchor) {
+  return {
+      {{LatticeAnchor::walls, "walls",
+        "the lower corner of the first container, so that flat walls stand half a spacing from the first particles; "
+        "the domain's without a container"},
+       {LatticeAnchor::domain, "domain", "the lower corner of the domain"},
+       {LatticeAnchor::point, "point", "`anchor_point`"}}};
+}
+
+/// How shapes become particles.
+struct GencaseParameters {
+  LatticeAnchor anchor = LatticeAnchor::walls;
+  Vec3 anchor_point = Vec3::Zero();  // [m]
+  int relaxation = 0;
+
+  template <class V>
+  void describe(V& v) {
+    v.choice("anchor", anchor,
+             "What the lattice of particles is aligned with: particles stand half a spacing from it.");
+    v.point("anchor_point", anchor_point, "m", "anchor = \"point\": a corner of the lattice's cells.");
+    v.integer(
+        "relaxation", relaxation, 0, 1000,
+        "Largest number of sweeps that fit fluid to curved walls: half a spacing from them, and evenly; 0: leave the "
+        "lattice.");
   }
 };
 
@@ -350,6 +445,7 @@ struct Case {
   CaseInfo info;
   Domain domain;
   std::vector<Shape> shapes;
+  GencaseParameters gencase;
   WaterParameters water;
   std::map<std::string, SedimentParameters> sediments;  // [materials.<name>] other than water
   Model model;

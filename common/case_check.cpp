@@ -88,10 +88,36 @@ class CaseCheck {
     if (s.kind == ShapeKind::cylinder && case_.info.dimension == 3 && s.from == s.to) {
       reject(path + ".to", fmt::format("{0}.to equals {0}.from", path), "give the axis some length");
     }
+    if (s.kind == ShapeKind::cone && s.from == s.to) {
+      reject(path + ".to", fmt::format("{0}.to equals {0}.from", path), "give the axis some length");
+    }
+    if (s.kind == ShapeKind::prism) prism(s, path);
+    if (s.kind == ShapeKind::layer && !(s.thickness > 0)) {
+      reject(path + ".thickness", fmt::format("{}.thickness is zero", path), "give the layer some height");
+    }
+    three_entries(path + ".rotate", s.rotate);
+    three_entries(path + ".move", s.move);
     members(index, path);
     role(s, path);
     open_faces(s, path);
     inside_domain(s, path);
+  }
+
+  void prism(const Shape& s, const std::string& path) const {
+    if (s.polygon.size() < 3) {
+      reject(path + ".polygon", fmt::format("{}.polygon has {} corners", path, s.polygon.size()),
+             "give at least three");
+    }
+    if (case_.info.dimension == 3 && (s.extent.size() != 2 || s.extent[0] >= s.extent[1])) {
+      reject(path + ".extent", fmt::format("{}.extent is no range", path),
+             "give two places along the axis, the lower one first");
+    }
+  }
+
+  void three_entries(const std::string& key, const std::vector<double>& values) const {
+    if (!values.empty() && values.size() != 3) {
+      reject(key, fmt::format("{} has {} entries", key, values.size()), "give three, for x, y and z");
+    }
   }
 
   void shape_keys(const Shape& s, const std::string& path) const {
@@ -143,6 +169,16 @@ class CaseCheck {
   }
 
   void role(const Shape& s, const std::string& path) const {
+    const bool is_wall = s.role == ShapeRole::wall || s.role == ShapeRole::moving_wall;
+    const bool of_container = s.kind == ShapeKind::level || s.kind == ShapeKind::layer;
+    if (of_container && is_wall) {
+      reject(path + ".role", fmt::format("{} fills a container and cannot be a wall", path),
+             "give it the role \"water\" or \"sediment\"");
+    }
+    if (s.side == WallSide::both && s.kind != ShapeKind::mesh) {
+      reject(path + ".side", fmt::format("{}.side = \"both\" is for meshes", path),
+             "use \"inside\" for a solid, \"outside\" for a container");
+    }
     if (s.role == ShapeRole::none) {
       const bool used = std::any_of(case_.shapes.begin(), case_.shapes.end(), [&](const Shape& other) {
         return std::find(other.of.begin(), other.of.end(), s.name) != other.of.end();

@@ -59,6 +59,11 @@ class Collector {
     range(added, unit, low, high);
     added.default_text = "[]";
   }
+  void polygon(const char* key, std::vector<Eigen::Vector2d>&, const char* unit, const char* sentence) {
+    KeyDeclaration& added = add(key, KeyKind::polygon, sentence);
+    added.unit = unit;
+    added.default_text = "[]";
+  }
   template <class E>
   void choice(const char* key, E& value, const char* sentence) {
     KeyDeclaration& added = add(key, KeyKind::choice, sentence);

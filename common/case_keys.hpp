@@ -7,7 +7,7 @@
 
 namespace thalweg {
 
-enum class KeyKind { quantity, number, integer, flag, text, texts, point, quantities, choice };
+enum class KeyKind { quantity, number, integer, flag, text, texts, point, quantities, polygon, choice };
 
 /// One declaration of a key, read from the describe() of its table.
 struct KeyDeclaration {

@@ -34,6 +34,8 @@ std::string kind_text(const KeyDeclaration& key) {
       return fmt::format("point, {}", key.unit);
     case KeyKind::quantities:
       return fmt::format("list of {}", key.unit);
+    case KeyKind::polygon:
+      return fmt::format("list of pairs of {}", key.unit);
     case KeyKind::choice:
       return "word";
   }
@@ -99,6 +101,10 @@ Json value_schema(const KeyDeclaration& key) {
       return {{"type", "array"}, {"items", quantity_schema(key.unit)}, {"minItems", 2}, {"maxItems", 3}};
     case KeyKind::quantities:
       return {{"type", "array"}, {"items", quantity_schema(key.unit)}};
+    case KeyKind::polygon:
+      return {{"type", "array"},
+              {"minItems", 3},
+              {"items", {{"type", "array"}, {"items", quantity_schema(key.unit)}, {"minItems", 2}, {"maxItems", 2}}}};
     case KeyKind::choice:
       return {{"type", "string"}, {"enum", key.words}};
   }
@@ -203,8 +209,9 @@ On the command line `--set table.key=value` overrides a key, `--set shape.NAME.k
 `--set materials.NAME.key=value` one of a material.
 
 Which geometry a shape needs follows from its kind: a box `from` and `to`; a cylinder `from`, `to` and `radius` (in 2-D
-`center` and `radius`); a sphere `center` and `radius`; a union, difference or intersection `of`. A key that means nothing
-for a shape is an error.
+`center` and `radius`); a cone `from`, `to` and `radius`; a sphere `center` and `radius`; a prism `polygon` and, in 3-D,
+`extent`; a mesh `file`; a bathymetry `file` and `base`; a level `level`; a layer `thickness`; a union, difference or
+intersection `of`. A key that means nothing for a shape is an error. `docs/geometry.md` shows each of them.
 )");
   for (const TableDeclaration& table : case_declarations()) {
     const bool repeated = table.name == shape_heading.name;

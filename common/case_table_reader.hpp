@@ -107,6 +107,22 @@ class TableReader {
     }
   }
 
+  void polygon(const char* key, std::vector<Eigen::Vector2d>& corners, const char* unit, const char*) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    corners.clear();
+    const std::string example = fmt::format("[[\"... {0}\", \"... {0}\"], ...]", unit);
+    constexpr double largest = 1e9;
+    for (const toml::node& entry : array_of(*node, key, example)) {
+      const toml::array& pair = array_of(entry, key, example);
+      if (pair.size() != 2)
+        reject_case(where(entry), fmt::format("{} has a corner of {} entries", full(key), pair.size()),
+                    fmt::format("write {} = {}", key, example));
+      corners.emplace_back(parse(pair[0], full(key), unit, -largest, largest),
+                           parse(pair[1], full(key), unit, -largest, largest));
+    }
+  }
+
   template <class E>
   void choice(const char* key, E& value, const char*) {
     const toml::node* node = find(key);

@@ -23,6 +23,7 @@ void for_each_table(Case& of, Visit&& visit, VisitShapes&& visit_shapes, VisitSe
   visit(TableHeading{"case", "What the scene is."}, of.info);
   visit(TableHeading{"domain", "Where it takes place."}, of.domain);
   visit_shapes();
+  visit(TableHeading{"gencase", "How shapes become particles."}, of.gencase);
   visit(water_heading, of.water);
   visit_sediments();
   visit(TableHeading{"model", "What the scene needs; off unless named."}, of.model);

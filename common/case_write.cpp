@@ -54,6 +54,12 @@ class TableWriter {
     for (const double value : values) entries.push_back(quantity_text(value, unit));
     list(key, entries);
   }
+  void polygon(const char* key, std::vector<Eigen::Vector2d>& corners, const char* unit, const char*) {
+    std::vector<std::string> entries;
+    for (const Eigen::Vector2d& corner : corners)
+      entries.push_back(fmt::format("[{}, {}]", quantity_text(corner.x(), unit), quantity_text(corner.y(), unit)));
+    list(key, entries);
+  }
   template <class E>
   void choice(const char* key, E& value, const char*) {
     for (const Choice<E>& word : choices(E{})) {

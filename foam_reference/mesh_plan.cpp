@@ -15,6 +15,22 @@ namespace {
 constexpr std::array<const char*, 6> face_names{"-x", "+x", "-y", "+y", "-z", "+z"};
 constexpr double largest_block = 2e8;  // cells; about 200 GB of fields, beyond any single machine this is meant for
 
+void check_kind(const Case& scene, const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::box:
+    case ShapeKind::cylinder:
+    case ShapeKind::sphere:
+    case ShapeKind::combine_union:
+    case ShapeKind::combine_difference:
+    case ShapeKind::combine_intersection:
+      return;
+    default:
+      throw InputError(place(scene, shape) + ": shape \"" + shape.name +
+                       "\" is of a kind the mesh model does not have (it takes box, cylinder, sphere and their "
+                       "combinations); run this case with --no-foam");
+  }
+}
+
 const Shape& find_container(const Case& scene) {
   const Shape* container = nullptr;
   for (const Shape& shape : scene.shapes) {
@@ -22,6 +38,7 @@ const Shape& find_container(const Case& scene) {
       throw InputError(place(scene, shape) + ": shape \"" + shape.name +
                        "\" is a moving wall, which the mesh model does not have; run this case without it");
     }
+    check_kind(scene, shape);
     if (!is_container(shape)) continue;
     if (container != nullptr) {
       throw InputError(place(scene, shape) + ": \"" + shape.name + "\" is a second container beside \"" +

@@ -77,8 +77,9 @@ bool contains(const Case& scene, const Shape& shape, const Vec3& point) {
       return std::ranges::all_of(shape.of, in_part);
     case ShapeKind::combine_difference:
       return in_part(shape.of.front()) && std::none_of(shape.of.begin() + 1, shape.of.end(), in_part);
+    default:
+      return false;  // plan_mesh refuses every other kind
   }
-  return false;
 }
 
 Bounds bounds_of(const Case& scene, const Shape& shape) {

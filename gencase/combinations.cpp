@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gencase/booleans.hpp"
 #include "gencase/nearest_surface.hpp"
 
 namespace thalweg::gencase {
@@ -12,19 +13,40 @@ Bounds hull(const Bounds& a, const Bounds& b) { return {a.lower.cwiseMin(b.lower
 
 class Combination : public Region {
  public:
-  explicit Combination(std::vector<RegionPointer> parts) : parts_(std::move(parts)) {}
+  Combination(std::vector<RegionPointer> parts, Boolean how) : parts_(std::move(parts)), how_(how) {}
   [[nodiscard]] std::optional<double> measure() const override { return std::nullopt; }
+  [[nodiscard]] Spans cut(const Line& line) const override {
+    Spans spans = parts_.front()->cut(line);
+    for (auto part = parts_.begin() + 1; part != parts_.end(); ++part) {
+      const Spans other = (*part)->cut(line);
+      spans = how_ == Boolean::unite ? unite(spans, other)
+                                     : (how_ == Boolean::subtract ? subtract(spans, other) : intersect(spans, other));
+    }
+    return spans;
+  }
+  [[nodiscard]] std::optional<Triangles> triangles(double deviation) const override {
+    std::optional<Triangles> result = parts_.front()->triangles(deviation);
+    for (auto part = parts_.begin() + 1; part != parts_.end() && result; ++part) {
+      const std::optional<Triangles> other = (*part)->triangles(deviation);
+      if (!other) return std::nullopt;
+      result = combine(*result, *other, how_);
+    }
+    return result;
+  }
   void append_surfaces(std::vector<const Surface*>& surfaces) const override {
     for (const RegionPointer& part : parts_) part->append_surfaces(surfaces);
   }
 
  protected:
   std::vector<RegionPointer> parts_;
+
+ private:
+  Boolean how_;
 };
 
 class Union : public Combination {
  public:
-  using Combination::Combination;
+  explicit Union(std::vector<RegionPointer> parts) : Combination(std::move(parts), Boolean::unite) {}
   [[nodiscard]] bool contains(const Vec3& p) const override {
     return std::any_of(parts_.begin(), parts_.end(), [&](const RegionPointer& part) { return part->contains(p); });
   }
@@ -37,7 +59,7 @@ class Union : public Combination {
 
 class Difference : public Combination {
  public:
-  using Combination::Combination;
+  explicit Difference(std::vector<RegionPointer> parts) : Combination(std::move(parts), Boolean::subtract) {}
   [[nodiscard]] bool contains(const Vec3& p) const override {
     return parts_.front()->contains(p) &&
            std::none_of(parts_.begin() + 1, parts_.end(), [&](const RegionPointer& part) { return part->contains(p); });
@@ -47,7 +69,7 @@ class Difference : public Combination {
 
 class Intersection : public Combination {
  public:
-  using Combination::Combination;
+  explicit Intersection(std::vector<RegionPointer> parts) : Combination(std::move(parts), Boolean::intersect) {}
   [[nodiscard]] bool contains(const Vec3& p) const override {
     return std::all_of(parts_.begin(), parts_.end(), [&](const RegionPointer& part) { return part->contains(p); });
   }
@@ -66,10 +88,12 @@ class Intersection : public Combination {
 class Shell : public Region {
  public:
   Shell(RegionPointer inside, double thickness, int dimension)
-      : inside_(std::move(inside)), thickness_(thickness), dimension_(dimension), nearest_(*inside_, thickness) {}
+      : inside_(std::move(inside)), thickness_(thickness), dimension_(dimension), nearest_(*inside_, thickness) {
+    search_ = inside_->own_search() != nullptr ? inside_->own_search() : &nearest_;
+  }
   [[nodiscard]] bool contains(const Vec3& p) const override {
     if (inside_->contains(p)) return false;
-    const auto surface = nearest_.find(p, thickness_);
+    const auto surface = search_->find(p, thickness_);
     return surface && surface->distance < thickness_;
   }
   [[nodiscard]] Bounds bounds() const override {
@@ -79,6 +103,22 @@ class Shell : public Region {
     return {inner.lower - reach, inner.upper + reach};
   }
   [[nodiscard]] std::optional<double> measure() const override { return std::nullopt; }
+  [[nodiscard]] Spans cut(const Line& line) const override {
+    const Bounds box = bounds();
+    Spans near;
+    for (std::int64_t node = first_node_from(line, box.lower[line.axis]); node < line.count;) {
+      const double at = line.along(node);
+      if (at > box.upper[line.axis]) break;
+      const auto skin = search_->find(line.point(at), HUGE_VAL);
+      if (!skin) break;
+      if (skin->distance < thickness_) near.push_back({at, at});
+      // No nearer than this many nodes can the distance fall below the thickness.
+      const double idle = (skin->distance - thickness_) / line.step;
+      node += std::max<std::int64_t>(1, static_cast<std::int64_t>(idle));
+    }
+    return subtract(near, inside_->cut(line));
+  }
+  [[nodiscard]] std::optional<Triangles> triangles(double) const override { return std::nullopt; }
   void append_surfaces(std::vector<const Surface*>& surfaces) const override { inside_->append_surfaces(surfaces); }
 
  private:
@@ -86,6 +126,7 @@ class Shell : public Region {
   double thickness_;
   int dimension_;
   NearestSurface nearest_;
+  const SkinSearch* search_;
 };
 
 }  // namespace

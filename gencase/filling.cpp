@@ -1,9 +1,13 @@
 #include "gencase/filling.hpp"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "common/error.hpp"
-#include "gencase/nearest_surface.hpp"
+#include "gencase/parallel.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -13,24 +17,23 @@ Vec3 tie_break(const Lattice& lattice) {
   return {nudge, lattice.dimension == 2 ? 0 : nudge, nudge};
 }
 
-}  // namespace
+/// Index of the n-th column of a range.
+std::int64_t column_of(const Lattice& lattice, const ColumnRange& range, std::int64_t n) {
+  const int slow = lattice.axes[0];
+  const int middle = lattice.axes[1];
+  const std::int64_t width = range.end[middle] - range.begin[middle];
+  return (range.begin[slow] + n / width) * lattice.count[middle] + range.begin[middle] + n % width;
+}
 
-Filling claim_nodes(const std::vector<PlacedShape>& shapes, const Lattice& lattice) {
-  if (shapes.size() >= solid_core) throw InputError("a case cannot have more than 65534 shapes; combine some by union");
-  Filling filling{lattice,
-                  std::vector<Label>(static_cast<std::size_t>(lattice.nodes()), nothing),
-                  std::vector<ShapeFill>(shapes.size()),
-                  {},
-                  0};
-  const Vec3 nudge = tie_break(lattice);
-  for (std::size_t s = 0; s < shapes.size(); ++s) {
-    const PlacedShape& shape = shapes[s];
-    ShapeFill& fill = filling.shapes[s];
-    const bool clears = shape.shape->role == ShapeRole::empty;
-    const auto own = static_cast<Label>(s + 1);
-    for_nodes_within(lattice, shape.body->bounds(), [&](std::int64_t node, const Vec3& position) {
-      if (!shape.body->contains(position + nudge)) return;
-      Label& label = filling.label[static_cast<std::size_t>(node)];
+/// Gives the nodes of one column within a shape to it.
+void claim_column(const std::vector<PlacedShape>& shapes, std::size_t s, std::span<Label> column, const Line& line,
+                  ShapeFill& fill) {
+  const PlacedShape& shape = shapes[s];
+  const bool clears = shape.shape->role == ShapeRole::empty;
+  const auto own = static_cast<Label>(s + 1);
+  for_runs(line, shape.body->cut(line), [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t node = first; node <= last; ++node) {
+      Label& label = column[static_cast<std::size_t>(node)];
       if (clears) {
         fill.claimed += label != nothing;
         label = nothing;
@@ -40,36 +43,99 @@ Filling claim_nodes(const std::vector<PlacedShape>& shapes, const Lattice& latti
         ++fill.claimed;
         label = own;
       }
-    });
-  }
-  for (const Label label : filling.label)
-    if (label != nothing) {
-      ++filling.shapes[label - 1U].kept;
-      if (shapes[label - 1U].shape->role != ShapeRole::empty) ++filling.particles;
     }
-  return filling;
+  });
 }
 
-void settle_walls(const std::vector<PlacedShape>& shapes, const FlowRoom& room, Filling& filling) {
-  const Lattice& lattice = filling.lattice;
-  const NearestSurface nearest(room, lattice.spacing);
+/// Normals and distances of one column's wall nodes, appended to `walls`; nodes too deep become core.
+void settle_column(const std::vector<PlacedShape>& shapes, const SkinSearch& skin, const Lattice& lattice,
+                   std::int64_t column, std::span<Label> labels, std::vector<WallPoint>& walls) {
   // A wall particle exactly on the skin gets this distance, so that divisions by it stay finite.
   const double least = 1e-6 * lattice.spacing;
-  for (std::int64_t node = 0; node < lattice.nodes(); ++node) {
-    Label& label = filling.label[static_cast<std::size_t>(node)];
+  double farther_than = 0;  // no node of the column before the current one was known to be nearer to the skin
+  for (std::size_t node = 0; node < labels.size(); ++node, farther_than -= lattice.spacing) {
+    Label& label = labels[node];
     if (label == nothing || !shapes[label - 1U].is_wall()) continue;
     const PlacedShape& shape = shapes[label - 1U];
     // A container's layers are all kept: they are as deep as asked for by construction, deeper in corners.
     const double reach = shape.is_container() ? std::numeric_limits<double>::infinity() : shape.thickness;
-    const auto skin = nearest.find(lattice.position(lattice.offset(node)), reach);
-    if (!skin) {
-      --filling.shapes[label - 1U].kept;
-      --filling.particles;
+    if (farther_than >= reach) {
       label = solid_core;
       continue;
     }
-    filling.walls.push_back({skin->direction.cast<float>(), static_cast<float>(std::max(skin->distance, least))});
+    const auto index = column * lattice.column_length() + static_cast<std::int64_t>(node);
+    const auto nearest = skin.find(lattice.position(lattice.offset(index)), std::numeric_limits<double>::infinity());
+    if (nearest) farther_than = nearest->distance;
+    if (!nearest || nearest->distance >= reach) {
+      label = solid_core;
+      continue;
+    }
+    walls.push_back({nearest->direction.cast<float>(), static_cast<float>(std::max(nearest->distance, least))});
   }
+}
+
+}  // namespace
+
+Filling claim_nodes(const std::vector<PlacedShape>& shapes, const Lattice& lattice, Progress& progress) {
+  if (shapes.size() >= solid_core) throw InputError("a case cannot have more than 65534 shapes; combine some by union");
+  Filling filling{lattice,
+                  std::vector<Label>(static_cast<std::size_t>(lattice.nodes()), nothing),
+                  std::vector<ShapeFill>(shapes.size()),
+                  {},
+                  0};
+  const Vec3 nudge = tie_break(lattice);
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    const ColumnRange range = columns_within(lattice, shapes[s].body->bounds());
+    PerThread<ShapeFill> fills;
+    progress.stage("filling " + shapes[s].shape->name, range.columns(lattice));
+    for_parts(range.columns(lattice), progress, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t n = begin; n < end; ++n) {
+        const std::int64_t column = column_of(lattice, range, n);
+        claim_column(shapes, s, filling.column(column), line_of(lattice, column, nudge), fills.local());
+      }
+    });
+    filling.shapes[s] = fills.total([](ShapeFill& sum, const ShapeFill& part) {
+      sum.claimed += part.claimed;
+      sum.inside_wall += part.inside_wall;
+    });
+  }
+  count_kept(shapes, filling);
+  return filling;
+}
+
+void count_kept(const std::vector<PlacedShape>& shapes, Filling& filling) {
+  for (ShapeFill& fill : filling.shapes) fill.kept = 0;
+  filling.particles = 0;
+  for (const Label label : filling.label) {
+    if (label == nothing || label == solid_core) continue;
+    ++filling.shapes[label - 1U].kept;
+    if (shapes[label - 1U].shape->role != ShapeRole::empty) ++filling.particles;
+  }
+}
+
+void settle_walls(const std::vector<PlacedShape>& shapes, const SkinSearch& skin, Filling& filling,
+                  Progress& progress) {
+  const Lattice& lattice = filling.lattice;
+  const bool any = std::any_of(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return shape.is_wall(); });
+  if (!any) return;
+  // Every slab of columns has a list of its own, so that the order does not depend on who came first.
+  const std::int64_t slabs = lattice.count[lattice.axes[0]];
+  const std::int64_t columns_of_slab = lattice.count[lattice.axes[1]];
+  std::vector<std::vector<WallPoint>> walls(static_cast<std::size_t>(slabs));
+  progress.stage("wall normals", slabs);
+  tbb::parallel_for(std::int64_t{0}, slabs, [&](std::int64_t slab) {
+    for (std::int64_t column = slab * columns_of_slab; column < (slab + 1) * columns_of_slab; ++column)
+      settle_column(shapes, skin, lattice, column, filling.column(column), walls[static_cast<std::size_t>(slab)]);
+    progress.add(1);
+  });
+  std::size_t count = 0;
+  for (const auto& slab : walls) count += slab.size();
+  filling.walls.reserve(count);
+  for (auto& slab : walls) {
+    filling.walls.insert(filling.walls.end(), slab.begin(), slab.end());
+    slab = {};
+  }
+  count_kept(shapes, filling);
 }
 
 }  // namespace thalweg::gencase

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gencase/lattice.hpp"
+#include "gencase/progress.hpp"
 #include "gencase/shapes.hpp"
 
 namespace thalweg::gencase {
@@ -34,15 +36,22 @@ struct Filling {
   std::vector<ShapeFill> shapes;  // per placed shape
   std::vector<WallPoint> walls;   // per wall particle, in the order of its node
   std::int64_t particles = 0;
+
+  [[nodiscard]] std::span<Label> column(std::int64_t index) {
+    return {label.data() + index * lattice.column_length(), static_cast<std::size_t>(lattice.column_length())};
+  }
 };
 
 /// Lays the shapes over the lattice in their order: later shapes take the place of earlier ones, "empty" ones clear
 /// nodes, and fluids never enter walls. A node belongs to a shape when the point a millionth of the spacing above it in
 /// every direction does, so that a node on the common face of two shapes belongs to exactly one of them.
-Filling claim_nodes(const std::vector<PlacedShape>& shapes, const Lattice& lattice);
+Filling claim_nodes(const std::vector<PlacedShape>& shapes, const Lattice& lattice, Progress& progress);
+
+/// Counts the particles of every shape again.
+void count_kept(const std::vector<PlacedShape>& shapes, Filling& filling);
 
 /// Finds normal and distance of every wall node, drops the nodes of solids deeper than their wall's thickness, and
-/// counts what is left.
-void settle_walls(const std::vector<PlacedShape>& shapes, const FlowRoom& room, Filling& filling);
+/// counts what is left. `skin` is that of the room the walls leave to the flow.
+void settle_walls(const std::vector<PlacedShape>& shapes, const SkinSearch& skin, Filling& filling, Progress& progress);
 
 }  // namespace thalweg::gencase

@@ -1,16 +1,108 @@
 #include "gencase/flow_room.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "gencase/booleans.hpp"
+#include "gencase/tessellation.hpp"
 
 namespace thalweg::gencase {
 
-void FlowRoom::add_room(RegionPointer room) { rooms_.push_back(std::move(room)); }
-void FlowRoom::add_solid(RegionPointer solid) { layers_.push_back({std::move(solid), true}); }
-void FlowRoom::add_opening(RegionPointer opening) { layers_.push_back({std::move(opening), false}); }
+namespace {
+
+bool overlap(const Bounds& a, const Bounds& b) {
+  return (a.lower.array() < b.upper.array()).all() && (b.lower.array() < a.upper.array()).all();
+}
+
+/// Combines, and where bodies touch without overlapping, so that the result would be no surface, moves the second one
+/// by `nudge` [m], which nobody can see, in one direction or another. Throws NoManifold when that does not help.
+Triangles combine_nudged(const Triangles& a, const Triangles& b, Boolean how, double nudge) {
+  try {
+    return combine(a, b, how);
+  } catch (const NoManifold&) {
+    for (const Vec3& direction : {Vec3(1, 0.7, 0.4), Vec3(-1, 0.4, 0.7), Vec3(0.7, -1, 0.4), Vec3(-0.4, -0.7, 1)}) {
+      Triangles moved = b;
+      for (Vec3& p : moved.points) p += nudge * direction;
+      try {
+        return combine(a, moved, how);
+      } catch (const NoManifold&) {
+        continue;
+      }
+    }
+    throw;
+  }
+}
+
+Triangles clipped(const Triangles& surface, const Bounds& box) {
+  return combine(surface, tessellate_box(box.lower, box.upper), Boolean::intersect);
+}
+
+}  // namespace
+
+void FlowRoom::add_container(RegionPointer room, RegionPointer wall) {
+  rooms_.push_back(room);
+  layers_.push_back({std::move(wall), true, std::move(room)});
+}
+void FlowRoom::add_solid(RegionPointer solid) { layers_.push_back({std::move(solid), true, nullptr}); }
+void FlowRoom::add_opening(RegionPointer opening) { layers_.push_back({std::move(opening), false, nullptr}); }
+
+Spans FlowRoom::cut(const Line& line) const {
+  Spans spans;
+  for (const RegionPointer& room : rooms_) spans = unite(spans, room->cut(line));
+  if (rooms_.empty()) spans = {{-HUGE_VAL, HUGE_VAL}};
+  for (const Layer& layer : layers_)
+    spans = layer.solid ? subtract(spans, layer.region->cut(line)) : unite(spans, layer.region->cut(line));
+  return spans;
+}
+
+Bounds FlowRoom::bounds_of_rooms() const {
+  Bounds result = rooms_.front()->bounds();
+  for (const RegionPointer& room : rooms_) {
+    result.lower = result.lower.cwiseMin(room->bounds().lower);
+    result.upper = result.upper.cwiseMax(room->bounds().upper);
+  }
+  return result;
+}
+
+bool FlowRoom::has_meshes() const {
+  return std::any_of(layers_.begin(), layers_.end(), [](const Layer& layer) {
+    return layer.region->is_mesh() || (layer.room != nullptr && layer.room->is_mesh());
+  });
+}
+
+std::optional<Triangles> FlowRoom::triangles(const Bounds& around, double deviation) const {
+  Triangles flow;
+  if (rooms_.empty()) flow = tessellate_box(around.lower, around.upper);
+  for (const RegionPointer& room : rooms_) {
+    const auto inside = room->triangles(deviation);
+    if (!inside) return std::nullopt;
+    flow = combine_nudged(flow, clipped(*inside, around), Boolean::unite, 1e-3 * deviation);
+  }
+  for (const Layer& layer : layers_) {
+    // A container's wall lies around its own room and matters to what reaches through it only.
+    if (layer.room != nullptr) {
+      const auto reaches_through = [&](const Layer& other) {
+        const bool earlier_opening = !other.solid && &other < &layer;
+        const bool other_container = other.room != nullptr && &other != &layer;
+        return (earlier_opening || other_container) && overlap(other.region->bounds(), layer.region->bounds());
+      };
+      if (std::none_of(layers_.begin(), layers_.end(), reaches_through)) continue;
+      return std::nullopt;
+    }
+    const auto body = layer.region->triangles(deviation);
+    if (!body) return std::nullopt;
+    flow = combine_nudged(flow, layer.solid ? *body : clipped(*body, around),
+                          layer.solid ? Boolean::subtract : Boolean::unite, 1e-3 * deviation);
+  }
+  return flow;
+}
+
+bool FlowRoom::inside_containers(const Vec3& point) const {
+  return std::any_of(rooms_.begin(), rooms_.end(), [&](const RegionPointer& room) { return room->contains(point); });
+}
 
 bool FlowRoom::inside_rooms(const Vec3& point) const {
-  const auto holds = [&](const RegionPointer& room) { return room->contains(point); };
-  if (rooms_.empty() || std::any_of(rooms_.begin(), rooms_.end(), holds)) return true;
+  if (rooms_.empty() || inside_containers(point)) return true;
   return std::any_of(layers_.begin(), layers_.end(),
                      [&](const Layer& layer) { return !layer.solid && layer.region->contains(point); });
 }

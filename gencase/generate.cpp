@@ -10,9 +10,12 @@
 #include "common/scales.hpp"
 #include "common/units.hpp"
 #include "gencase/checks.hpp"
+#include "gencase/closure.hpp"
 #include "gencase/filling.hpp"
+#include "gencase/flow_skin.hpp"
 #include "gencase/hydrostatic.hpp"
 #include "gencase/pore_water.hpp"
+#include "gencase/relaxation.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -37,7 +40,8 @@ void check_size_before_filling(const Case& scene, const std::vector<PlacedShape>
   const auto nodes = static_cast<double>(lattice.nodes());
   if (nodes <= nodes_to_probe) return;
   const double coarser = std::pow(nodes / nodes_of_probe, 1.0 / scene.info.dimension);
-  const Filling probe = claim_nodes(shapes, make_lattice(scene, shapes, lattice.spacing * coarser));
+  Progress unseen;
+  const Filling probe = claim_nodes(shapes, make_lattice(scene, shapes, lattice.spacing * coarser), unseen);
   double fluid = 0;
   for (std::size_t s = 0; s < shapes.size(); ++s)
     if (shapes[s].is_fluid()) fluid += static_cast<double>(probe.shapes[s].kept);
@@ -47,20 +51,20 @@ void check_size_before_filling(const Case& scene, const std::vector<PlacedShape>
 }
 
 /// Gravity along the lattice's columns [m/s^2], signed. Says what becomes of the rest.
-double column_gravity(const Case& scene, const GenerateOptions& options) {
+double column_gravity(const Case& scene, const Notes& notes) {
   const Vec3& gravity = scene.domain.gravity;
   const int axis = column_axis(scene);
   const double along = gravity[axis];
   if (along == 0) {
-    options.say("no gravity: the pressure starts at 0 everywhere");
+    notes.say("no gravity: the pressure starts at 0 everywhere");
   } else if (const double across = std::sqrt(gravity.squaredNorm() - along * along); across > 1e-9 * gravity.norm()) {
-    options.say(fmt::format(
+    notes.say(fmt::format(
         "gravity is tilted by {} from {}: the pressure starts hydrostatic along {} with {:.4g} m/s^2 "
         "alone, as in uniform flow down a slope",
         format_quantity(std::atan2(across, std::abs(along)), "rad"), "xyz"[axis], "xyz"[axis], std::abs(along)));
   } else if (!(axis == 2 && along < 0)) {
-    options.say(fmt::format("gravity points along {}{}: the pressure starts hydrostatic in that direction",
-                            along < 0 ? '-' : '+', "xyz"[axis]));
+    notes.say(fmt::format("gravity points along {}{}: the pressure starts hydrostatic in that direction",
+                          along < 0 ? '-' : '+', "xyz"[axis]));
   }
   return along;
 }
@@ -101,6 +105,7 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
   const bool has_states = set.state.capacity() > 0;
   std::vector<double> pressures(static_cast<std::size_t>(lattice.column_length()));
   auto wall = filling.walls.begin();
+  std::vector<float>* distances = filling.walls.empty() ? nullptr : &set.scalars["WallDistance"];
   for (std::int64_t column = 0; column < lattice.columns(); ++column) {
     start.column(column, pressures);
     for (std::size_t along = 0; along < pressures.size(); ++along) {
@@ -119,10 +124,10 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
       set.mass.push_back(static_cast<float>(density * lattice.cell()));
       if (has_states)
         set.state.push_back(shape.type() == ParticleType::sediment ? SedimentState::deposit : SedimentState::none);
-      if (filling.walls.empty()) continue;
+      if (distances == nullptr) continue;
       const bool is_wall = shape.is_wall();
       set.normal.push_back(is_wall ? wall->normal : Eigen::Vector3f::Zero());
-      set.scalars["WallDistance"].push_back(is_wall ? wall->distance : 0);
+      distances->push_back(is_wall ? wall->distance : 0);
       if (is_wall) ++wall;
     }
   }
@@ -141,29 +146,57 @@ std::vector<ShapeSummary> summarise(const std::vector<PlacedShape>& shapes, cons
   return summaries;
 }
 
+/// Where walls and what they see lie.
+Bounds around(const Case& scene, const Lattice& lattice) {
+  const Index3 last{lattice.count[0] - 1, lattice.count[1] - 1, lattice.count[2] - 1};
+  const Vec3 margin = Vec3::Constant(10 * kernel_support(scene));
+  return {lattice.position({0, 0, 0}).cwiseMin(scene.domain.from) - margin,
+          lattice.position(last).cwiseMax(scene.domain.to) + margin};
+}
+
+void report_closure(const Case& scene, const std::vector<PlacedShape>& shapes, const FlowRoom& room,
+                    const Filling& filling, const Notes& notes) {
+  const std::optional<Leak> leak = find_leak(scene, shapes, room, filling);
+  if (!leak) return notes.say("closure: fluid at rest touches the outside nowhere");
+  const Vec3& end = leak->path.back();
+  const std::string picture = notes.draw("leak", {"Leak", {leak->path}, {1}});
+  notes.warn(
+      fmt::format("{}: fluid at rest can leave {} at x = {}, y = {}, z = {}, {} spacings from where it stands; close "
+                  "the wall there, "
+                  "or open that face on purpose{}",
+                  scene.file.string(), leak->out_of_rooms ? "the containers" : "the domain",
+                  format_quantity(end.x(), "m"), format_quantity(end.y(), "m"), format_quantity(end.z(), "m"),
+                  leak->path.size() - 1, picture.empty() ? "" : "; the way is in " + picture));
+}
+
 }  // namespace
 
 Generated generate(const Case& scene, const GenerateOptions& options) {
-  const std::vector<PlacedShape> shapes = place_shapes(scene);
+  const Notes& notes = options.notes;
+  Progress progress(options.progress);
+  const std::vector<PlacedShape> shapes = place_shapes(scene, notes);
   check_periods(scene);
   const Lattice lattice = make_lattice(scene, shapes, scene.numerics.spacing);
-  for (const std::string& line : faces_off_lattice(scene, lattice)) options.warn(line);
+  for (const std::string& line : faces_off_lattice(scene, lattice)) notes.warn(line);
   check_size_before_filling(scene, shapes, lattice, options.memory_limit);
 
   const FlowRoom room = flow_room(shapes);
-  Filling filling = claim_nodes(shapes, lattice);
-  settle_walls(shapes, room, filling);
+  Filling filling = claim_nodes(shapes, lattice, progress);
+  const auto skin = make_flow_skin(room, around(scene, lattice), scene.numerics.spacing, scene.info.dimension, notes);
+  settle_walls(shapes, *skin, filling, progress);
   check_filling(scene, shapes, room, filling);
-  warn_of_filling(scene, shapes, filling, options.warn);
+  warn_of_filling(scene, shapes, filling, notes.warn);
+  report_closure(scene, shapes, room, filling, notes);
+  progress.finish();
 
   const auto particles = static_cast<double>(filling.particles);
   const MemoryEstimate memory = estimate_memory(particles, scene.info.dimension);
-  options.say(fmt::format("{} particles; the solver will need about {} for them, gencase {}", filling.particles,
-                          format_bytes(memory.solver), format_bytes(memory.host)));
+  notes.say(fmt::format("{} particles; the solver will need about {} for them, gencase {}", filling.particles,
+                        format_bytes(memory.solver), format_bytes(memory.host)));
   if (memory.total() > options.memory_limit) refuse_size(scene, particles, memory.total(), options.memory_limit);
 
   Generated result{scene, {}, {}};
-  const double gravity = column_gravity(scene, options);
+  const double gravity = column_gravity(scene, notes);
   const HydrostaticStart start(filling, shapes, gravity);
   Summary& summary = result.summary;
   summary.lattice_nodes = lattice.nodes();
@@ -172,15 +205,23 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   summary.sound_speed = sound_speed(result.resolved, summary.fluid_height);
   const double wave_speed = std::sqrt(scene.domain.gravity.norm() * summary.fluid_height);
   if (result.resolved.numerics.maximum_speed < wave_speed * (1 - 1e-9))
-    options.warn(
+    notes.warn(
         fmt::format("{}: numerics.maximum_speed of {:.4g} m/s is below the fluid's sqrt(g H) of {:.4g} m/s; "
                     "its density will vary by more than a percent",
                     scene.file.string(), result.resolved.numerics.maximum_speed, wave_speed));
   result.particles = make_particles(result.resolved, shapes, filling, start, summary);
+  if (scene.gencase.relaxation > 0) {
+    const Relaxation relaxed =
+        relax(result.particles, shapes, *skin, filling, scene.gencase.relaxation, gravity, summary.sound_speed);
+    notes.say(fmt::format(
+        "relaxation: {} sweeps over {} particles beside walls; unevenness {:.3g} before, {:.3g} after; "
+        "farthest move {}",
+        relaxed.sweeps, relaxed.particles, relaxed.before, relaxed.after, format_quantity(relaxed.farthest, "m")));
+  }
   if (scene.model.seepage == SeepageModel::mixture) {
     const std::size_t added =
         split_into_mixture(scene, shapes, filling, gravity, summary.sound_speed, result.particles);
-    options.say(fmt::format("{} particles of pore water in the places of the grains (model.seepage)", added));
+    notes.say(fmt::format("{} particles of pore water in the places of the grains (model.seepage)", added));
   }
   summary.shapes = summarise(shapes, filling);
   return result;

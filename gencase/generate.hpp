@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "common/case.hpp"
+#include "common/memory.hpp"
 #include "common/particles.hpp"
-#include "gencase/memory.hpp"
+#include "gencase/notes.hpp"
+#include "gencase/progress.hpp"
 
 namespace thalweg::gencase {
 
@@ -36,9 +38,9 @@ struct Generated {
 };
 
 struct GenerateOptions {
-  double memory_limit = machine_memory();                                    // [bytes]
-  std::function<void(const std::string&)> say = [](const std::string&) {};   // facts, one line each, as they are known
-  std::function<void(const std::string&)> warn = [](const std::string&) {};  // what the user should look at
+  double memory_limit = machine_memory();  // [bytes]
+  Notes notes;
+  Progress::Show progress;  // draws how far a long filling is
 };
 
 /// Fills the scene with particles at hydrostatic rest. Announces count and memory before it allocates the particles.

@@ -31,23 +31,52 @@ Index3 Lattice::offset(std::int64_t flat_index) const {
   return result;
 }
 
-int column_axis(const Case& scene) {
-  int strongest = 2;
-  for (int axis : {0, 1})
-    if (std::abs(scene.domain.gravity[axis]) > std::abs(scene.domain.gravity[strongest])) strongest = axis;
-  return strongest;
+ColumnRange columns_within(const Lattice& lattice, const Bounds& bounds) {
+  ColumnRange range;
+  for (int axis = 0; axis < 3; ++axis) {
+    range.end[axis] = lattice.count[axis];
+    if (lattice.dimension == 2 && axis == 1) continue;
+    const double low =
+        (bounds.lower[axis] - lattice.anchor[axis]) / lattice.spacing - static_cast<double>(lattice.first[axis]);
+    const double high =
+        (bounds.upper[axis] - lattice.anchor[axis]) / lattice.spacing - static_cast<double>(lattice.first[axis]);
+    const auto length = static_cast<double>(lattice.count[axis]);
+    range.begin[axis] = static_cast<std::int64_t>(std::clamp(std::floor(low) - 1, 0.0, length));
+    range.end[axis] = static_cast<std::int64_t>(std::clamp(std::ceil(high) + 1, 0.0, length));
+  }
+  return range;
 }
+
+Line line_of(const Lattice& lattice, std::int64_t column, const Vec3& nudge) {
+  const Vec3 first = lattice.position(lattice.offset(column * lattice.column_length())) + nudge;
+  const int axis = lattice.axes[2];
+  return {first, axis, first[axis], lattice.spacing, lattice.column_length()};
+}
+
+namespace {
+
+Vec3 anchor_of(const Case& scene, const std::vector<PlacedShape>& shapes) {
+  switch (scene.gencase.anchor) {
+    case LatticeAnchor::point:
+      return scene.gencase.anchor_point;
+    case LatticeAnchor::domain:
+      return scene.domain.from;
+    case LatticeAnchor::walls:
+      break;
+  }
+  const auto container =
+      std::find_if(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return shape.is_container(); });
+  if (container == shapes.end()) return scene.domain.from;
+  return container->shape->kind == ShapeKind::box ? container->shape->from : container->room->bounds().lower;
+}
+
+}  // namespace
 
 Lattice make_lattice(const Case& scene, const std::vector<PlacedShape>& shapes, double spacing) {
   Lattice lattice;
   lattice.spacing = spacing;
   lattice.dimension = scene.info.dimension;
-  lattice.anchor = scene.domain.from;
-  const auto container =
-      std::find_if(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return shape.is_container(); });
-  if (container != shapes.end())
-    lattice.anchor =
-        container->shape->kind == ShapeKind::box ? container->shape->from : container->room->bounds().lower;
+  lattice.anchor = anchor_of(scene, shapes);
   const int along = column_axis(scene);
   lattice.axes = along == 2 ? std::array{0, 1, 2} : (along == 0 ? std::array{1, 2, 0} : std::array{0, 2, 1});
 

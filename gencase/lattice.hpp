@@ -37,15 +37,24 @@ struct Lattice {
   [[nodiscard]] Index3 offset(std::int64_t flat_index) const;
 };
 
-/// Calls `visit(flat index, position)` for the nodes within `bounds`, column by column.
-template <class Visit>
-void for_nodes_within(const Lattice& lattice, const Bounds& bounds, Visit&& visit);
+/// Columns whose indices lie within `bounds`.
+struct ColumnRange {
+  Index3 begin{};
+  Index3 end{};
+  [[nodiscard]] std::int64_t columns(const Lattice& lattice) const {
+    return (end[lattice.axes[0]] - begin[lattice.axes[0]]) * (end[lattice.axes[1]] - begin[lattice.axes[1]]);
+  }
+};
 
-/// Direction in which gravity pulls most: 0, 1 or 2; the last direction without gravity.
-int column_axis(const Case& scene);
+/// The columns that pass within a spacing of `bounds`.
+ColumnRange columns_within(const Lattice& lattice, const Bounds& bounds);
 
-/// The lattice over all of `shapes`, anchored at the lower corner of the first container, else of the domain, so that
-/// flat walls stand half a spacing from the first particles. `spacing` [m] may differ from the case's (for estimates).
+/// The nodes of a column, each moved by `nudge` [m].
+Line line_of(const Lattice& lattice, std::int64_t column, const Vec3& nudge);
+
+/// The lattice over all of `shapes`, anchored as the case says (by default at the lower corner of the first container,
+/// so that flat walls stand half a spacing from the first particles). `spacing` [m] may differ from the case's (for
+/// estimates).
 Lattice make_lattice(const Case& scene, const std::vector<PlacedShape>& shapes, double spacing);
 
 /// Refuses a periodic domain whose length is not a whole number of spacings: the lattice would not close. Throws
@@ -54,28 +63,5 @@ void check_periods(const Case& scene);
 
 /// One line for each box face that lies more than a hundredth of the spacing off the lattice, saying by how much.
 std::vector<std::string> faces_off_lattice(const Case& scene, const Lattice& lattice);
-
-template <class Visit>
-void for_nodes_within(const Lattice& lattice, const Bounds& bounds, Visit&& visit) {
-  Index3 begin;
-  Index3 end;
-  for (int axis = 0; axis < 3; ++axis) {
-    begin[axis] = 0;
-    end[axis] = lattice.count[axis];
-    if (lattice.dimension == 2 && axis == 1) continue;
-    const double low =
-        (bounds.lower[axis] - lattice.anchor[axis]) / lattice.spacing - static_cast<double>(lattice.first[axis]);
-    const double high =
-        (bounds.upper[axis] - lattice.anchor[axis]) / lattice.spacing - static_cast<double>(lattice.first[axis]);
-    const auto length = static_cast<double>(lattice.count[axis]);
-    begin[axis] = static_cast<std::int64_t>(std::clamp(std::floor(low) - 1, 0.0, length));
-    end[axis] = static_cast<std::int64_t>(std::clamp(std::ceil(high) + 1, 0.0, length));
-  }
-  const auto [slow, middle, fast] = lattice.axes;
-  Index3 at;
-  for (at[slow] = begin[slow]; at[slow] < end[slow]; ++at[slow])
-    for (at[middle] = begin[middle]; at[middle] < end[middle]; ++at[middle])
-      for (at[fast] = begin[fast]; at[fast] < end[fast]; ++at[fast]) visit(lattice.flat(at), lattice.position(at));
-}
 
 }  // namespace thalweg::gencase

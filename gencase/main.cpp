@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
 #include "common/case_file.hpp"
+#include "common/case_tables.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
@@ -14,29 +17,61 @@
 
 namespace {
 
+using thalweg::Case;
+namespace fs = std::filesystem;
+
+/// Draws on one line of a terminal; a log file gets nothing.
+void draw_bar(const std::string& what, double share) {
+  constexpr int width = 30;
+  const int done = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
+  fmt::print(stderr, "\r[{}{}] {:3.0f} % {:<30}{}", std::string(static_cast<std::size_t>(done), '#'),
+             std::string(static_cast<std::size_t>(width - done), ' '), 100 * share, what, share >= 1 ? "\n" : "");
+  std::fflush(stderr);
+}
+
+thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check) {
+  thalweg::gencase::GenerateOptions options;
+  options.notes.say = [](const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);  // the count is to be seen before the memory is taken
+  };
+  options.notes.warn = [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); };
+  if (!check)
+    options.notes.draw = [folder](const std::string& name, const thalweg::LineSet& lines) {
+      const fs::path file = folder / (name + ".vtp");
+      thalweg::write_lines(file, lines);
+      return file.string();
+    };
+  if (isatty(STDERR_FILENO) != 0) options.progress = draw_bar;
+  return options;
+}
+
+void ask_for_repair(Case& scene) {
+  for (thalweg::Shape& shape : scene.shapes)
+    shape.repair = shape.repair || thalweg::shape_uses_key(shape, "repair", scene.info.dimension);
+}
+
 int gencase(int argc, char** argv) {
   CLI::App app{"Fills the geometry of a case with particles at hydrostatic rest.", "thalweg-gencase"};
   std::string case_path;
   std::string out;
   std::vector<std::string> overrides;
   bool check = false;
+  bool repair = false;
   app.add_option("CASE", case_path, "folder with case.toml, or the file")->required();
   app.add_option("--out", out, "folder of the run; default: out/<case name>");
   app.add_option("--set", overrides, "key=value: overrides a key of the case, as in numerics.spacing=\"4 mm\"")
       ->expected(1)
       ->take_all();
   app.add_flag("--check", check, "do everything but write files");
+  app.add_flag("--repair", repair, "mend surface meshes that bound no volume, and say what was changed");
   if (const auto answered = thalweg::parse_command_line(app, argc, argv)) return *answered;
 
-  const thalweg::Case scene = thalweg::read_case(case_path, overrides);
+  Case scene = thalweg::read_case(case_path, overrides);
+  if (repair) ask_for_repair(scene);
+  const thalweg::RunFolder folder{out.empty() ? fs::path("out") / scene.info.name : fs::path(out)};
   const auto begin = std::chrono::steady_clock::now();
-  thalweg::gencase::GenerateOptions options;
-  options.say = [](const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);  // the count is to be seen before the memory is taken
-  };
-  options.warn = [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); };
-  const thalweg::gencase::Generated generated = thalweg::gencase::generate(scene, options);
+  const thalweg::gencase::Generated generated = thalweg::gencase::generate(scene, options_for(folder.root, check));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   fmt::print("{}{} lattice points in {:.2f} s\n", thalweg::gencase::report(generated), generated.summary.lattice_nodes,
              seconds);
@@ -44,9 +79,6 @@ int gencase(int argc, char** argv) {
     fmt::print("checked only: nothing written\n");
     return static_cast<int>(thalweg::Exit::done);
   }
-
-  const thalweg::RunFolder folder{out.empty() ? std::filesystem::path("out") / scene.info.name
-                                              : std::filesystem::path(out)};
   thalweg::write_particles(folder.particles(), generated.particles, thalweg::PositionPrecision::double_precision);
   thalweg::write_case(folder.resolved_case(), generated.resolved);
   fmt::print("written: {} and {}\n", folder.particles().string(), folder.resolved_case().string());

@@ -26,6 +26,9 @@ RegionPointer make_container_wall(const Vec3& lower, const Vec3& upper, const Fa
 /// `radius` [m] around the segment from `from` to `to`, with flat ends.
 RegionPointer make_cylinder(const Vec3& from, const Vec3& to, double radius);
 
+/// `radius` [m] at `from` and `end_radius` at `to`, with flat ends; one of the radii may be 0.
+RegionPointer make_cone(const Vec3& from, const Vec3& to, double radius, double end_radius);
+
 /// The disc of the plane x-z: what a cylinder along y or a sphere is in 2-D.
 RegionPointer make_disc(const Vec3& center, double radius);
 

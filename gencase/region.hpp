@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "common/particles.hpp"
+#include "gencase/spans.hpp"
 
 namespace thalweg::gencase {
 
@@ -14,8 +17,14 @@ struct Bounds {
   Vec3 upper = Vec3::Zero();
 };
 
-/// One smooth piece of a region's skin, continued beyond the piece: a plane, a cylinder's side, a sphere, or a closed
-/// triangle mesh. Edges and corners of regions are found where surfaces meet (nearest_surface.hpp).
+/// A surface as triangles whose corners run counter-clockwise seen from outside.
+struct Triangles {
+  std::vector<Vec3> points;  // [m]
+  std::vector<std::array<std::uint32_t, 3>> corners;
+};
+
+/// One smooth piece of a region's skin, continued beyond the piece: a plane, a cylinder's side, a cone or a sphere.
+/// Edges and corners of regions are found where surfaces meet (nearest_surface.hpp).
 class Surface {
  public:
   virtual ~Surface() = default;
@@ -35,13 +44,36 @@ class PointSet {
   virtual void append_surfaces(std::vector<const Surface*>& surfaces) const = 0;
 };
 
-/// A part of space (3-D) or of the plane y = 0 (2-D). A further kind of shape, such as a triangle mesh, is one more
-/// class of this interface and one line in shapes.cpp.
+/// The point of a set's skin nearest to a given one.
+struct SurfacePoint {
+  Vec3 point = Vec3::Zero();      // [m]
+  Vec3 direction = Vec3::Zero();  // unit vector from the given point to the skin; on the skin the surface's gradient
+  double distance = 0;            // [m]
+};
+
+/// Finds the nearest point of a skin.
+class SkinSearch {
+ public:
+  virtual ~SkinSearch() = default;
+  /// Nothing when no skin lies within `reach` [m] of `from` (or none at all).
+  [[nodiscard]] virtual std::optional<SurfacePoint> find(const Vec3& from, double reach) const = 0;
+};
+
+/// A part of space (3-D) or of the plane y = 0 (2-D).
 class Region : public PointSet {
  public:
   [[nodiscard]] virtual Bounds bounds() const = 0;
   /// Volume [m^3], in 2-D area [m^2]; nothing where no closed form is at hand.
   [[nodiscard]] virtual std::optional<double> measure() const = 0;
+  /// The parts of a line within the region; they have to be right at the line's nodes only.
+  [[nodiscard]] virtual Spans cut(const Line& line) const = 0;
+  /// The skin as closed surface triangles that leave it by at most `deviation` [m]; nothing in 2-D and for regions
+  /// known by distance only.
+  [[nodiscard]] virtual std::optional<Triangles> triangles(double deviation) const = 0;
+  /// Whether the region is known by its triangles, which then are exact.
+  [[nodiscard]] virtual bool is_mesh() const { return false; }
+  /// A faster search of the skin than through its surfaces, if the region has one.
+  [[nodiscard]] virtual const SkinSearch* own_search() const { return nullptr; }
 };
 
 using RegionPointer = std::shared_ptr<const Region>;

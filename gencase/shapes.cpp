@@ -9,8 +9,13 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "gencase/booleans.hpp"
 #include "gencase/combinations.hpp"
+#include "gencase/polygon.hpp"
+#include "gencase/polyhedron.hpp"
 #include "gencase/primitives.hpp"
+#include "gencase/rooms.hpp"
+#include "gencase/tessellation.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -21,23 +26,139 @@ std::string length(double metres) { return format_quantity(metres, "m"); }
   throw InputError(where(scene, shape) + " " + what);
 }
 
-/// The geometry of a shape; `named` holds the shapes before it.
-RegionPointer make_region(const Shape& shape, int dimension, const std::map<std::string, RegionPointer>& named) {
+// Curved shapes leave their triangles by at most this share of the spacing where meshes have to be cut against them.
+constexpr double deviation_of_triangles = 0.01;
+
+/// The cut of a cone by the plane through its axis.
+RegionPointer make_flat_cone(const Shape& shape) {
+  const Vec3 axis = (shape.to - shape.from).normalized();
+  const Vec3 away(-axis.z(), 0, axis.x());
+  std::vector<Eigen::Vector2d> corners;
+  const auto add = [&](const Vec3& p) { corners.emplace_back(p.x(), p.z()); };
+  add(shape.from - shape.radius * away);
+  if (shape.radius > 0) add(shape.from + shape.radius * away);
+  add(shape.to + shape.end_radius * away);
+  if (shape.end_radius > 0) add(shape.to - shape.end_radius * away);
+  return make_polygon(edges_of(corners));
+}
+
+RegionPointer make_prism(const Case& scene, const Shape& shape) {
+  if (!is_simple(shape.polygon))
+    refuse(scene, shape, "has a polygon that crosses or touches itself; give its corners in order, each once");
+  if (scene.info.dimension == 2) return make_polygon(edges_of(shape.polygon));
+  return make_polyhedron(
+      extrude(counter_clockwise(shape.polygon), static_cast<int>(shape.axis), shape.extent[0], shape.extent[1]));
+}
+
+Boolean boolean_of(ShapeKind kind) {
+  return kind == ShapeKind::combine_union        ? Boolean::unite
+         : kind == ShapeKind::combine_difference ? Boolean::subtract
+                                                 : Boolean::intersect;
+}
+
+RegionPointer make_combination(const Case& scene, const Shape& shape, std::vector<RegionPointer> parts) {
+  const bool meshes =
+      std::any_of(parts.begin(), parts.end(), [](const RegionPointer& part) { return part->is_mesh(); });
+  const Boolean how = boolean_of(shape.kind);
+  const RegionPointer pointwise = how == Boolean::unite      ? make_union(std::move(parts))
+                                  : how == Boolean::subtract ? make_difference(std::move(parts))
+                                                             : make_intersection(std::move(parts));
+  // Shapes with a formula of their own need no triangles: their combination is exact as it is.
+  if (!meshes || shape.boolean == BooleanMethod::voxel) return pointwise;
+  try {
+    const auto surface = pointwise->triangles(deviation_of_triangles * scene.numerics.spacing);
+    if (!surface) return pointwise;
+    if (surface->corners.empty()) refuse(scene, shape, "is empty: its shapes leave nothing; correct or remove it");
+    return make_polyhedron(*surface);
+  } catch (const NoManifold& error) {
+    refuse(
+        scene, shape,
+        fmt::format("cannot be combined exactly: {}; move or enlarge one of its shapes a little so that they overlap, "
+                    "or write boolean = \"voxel\" to combine lattice points",
+                    error.what()));
+  }
+}
+
+/// What a placed shape leaves of the room for the flow.
+void add_to(FlowRoom& room, const PlacedShape& placed) {
+  if (placed.is_container())
+    room.add_container(placed.room, placed.body);
+  else if (placed.is_wall())
+    room.add_solid(placed.body);
+  else if (placed.shape->role == ShapeRole::empty)
+    room.add_opening(placed.body);
+}
+
+/// What earlier shapes mean to the next one.
+struct Earlier {
+  std::map<std::string, RegionPointer> named;
+  FlowRoom room;                     // what their walls leave free
+  std::optional<Bounds> containers;  // around the containers' bodies, open faces at their rims
+
+  void add(const PlacedShape& placed, const RegionPointer& region) {
+    add_to(room, placed);
+    if (!placed.is_container()) return;
+    const Bounds own = region->bounds();
+    if (!containers) containers = own;
+    containers->lower = containers->lower.cwiseMin(own.lower);
+    containers->upper = containers->upper.cwiseMax(own.upper);
+  }
+};
+
+/// Where containers can be filled: up to their rims, within the domain.
+Bounds filling_box(const Case& scene, const Shape& shape, const Earlier& earlier) {
+  if (!earlier.containers)
+    refuse(scene, shape, "fills containers, and no wall with side = \"outside\" comes before it; put one before it");
+  if (column_axis(scene) != 2 || scene.domain.gravity.z() > 0)
+    refuse(scene, shape, "counts heights along z, and gravity points elsewhere; use a box");
+  Bounds box{earlier.containers->lower.cwiseMax(scene.domain.from),
+             earlier.containers->upper.cwiseMin(scene.domain.to)};
+  if (scene.info.dimension == 2) box.lower.y() = box.upper.y() = 0;
+  return box;
+}
+
+RegionPointer make_level(const Case& scene, const Shape& shape, const Earlier& earlier) {
+  Bounds box = filling_box(scene, shape, earlier);
+  if (shape.level <= box.lower.z())
+    refuse(scene, shape,
+           fmt::format("has its level at {}, below the floor at {}; raise the level", length(shape.level),
+                       length(box.lower.z())));
+  box.upper.z() = std::min(box.upper.z(), shape.level);
+  return make_filled(earlier.room, box);
+}
+
+/// The geometry of a shape.
+RegionPointer make_region(const Case& scene, const Shape& shape, const Earlier& earlier, double thickness,
+                          const Notes& notes) {
+  const int dimension = scene.info.dimension;
   std::vector<RegionPointer> parts;
-  for (const std::string& name : shape.of) parts.push_back(named.at(name));
+  for (const std::string& name : shape.of) parts.push_back(earlier.named.at(name));
   switch (shape.kind) {
     case ShapeKind::box:
       return make_box(shape.from, shape.to, dimension);
     case ShapeKind::cylinder:
       return dimension == 2 ? make_disc(shape.center, shape.radius) : make_cylinder(shape.from, shape.to, shape.radius);
+    case ShapeKind::cone:
+      return dimension == 2 ? make_flat_cone(shape) : make_cone(shape.from, shape.to, shape.radius, shape.end_radius);
     case ShapeKind::sphere:
       return dimension == 2 ? make_disc(shape.center, shape.radius) : make_sphere(shape.center, shape.radius);
+    case ShapeKind::prism:
+      return make_prism(scene, shape);
+    case ShapeKind::mesh:
+      return make_mesh(scene, shape, thickness, notes);
+    case ShapeKind::bathymetry: {
+      RegionPointer body = make_bathymetry(scene, shape, notes);
+      const bool fluid = shape.role == ShapeRole::water || shape.role == ShapeRole::sediment;
+      return fluid ? make_within(earlier.room, std::move(body)) : body;  // a survey is wider than the flume
+    }
+    case ShapeKind::level:
+      return make_level(scene, shape, earlier);
+    case ShapeKind::layer:
+      return make_layer(earlier.room, filling_box(scene, shape, earlier), shape.thickness, 2);
     case ShapeKind::combine_union:
-      return make_union(std::move(parts));
     case ShapeKind::combine_difference:
-      return make_difference(std::move(parts));
     case ShapeKind::combine_intersection:
-      return make_intersection(std::move(parts));
+      return make_combination(scene, shape, std::move(parts));
   }
   throw std::logic_error("a kind of shape without geometry");
 }
@@ -88,34 +209,39 @@ ParticleType PlacedShape::type() const {
   }
 }
 
-std::string where(const Case& scene, const Shape& shape) {
-  return fmt::format("{}:{}: shape \"{}\"", scene.file.string(), shape.line, shape.name);
-}
-
 double kernel_support(const Case& scene) { return 2 * scene.smoothing_length(); }
 
-std::vector<PlacedShape> place_shapes(const Case& scene) {
-  std::map<std::string, RegionPointer> named;
+int column_axis(const Case& scene) {
+  int strongest = 2;
+  for (int axis : {0, 1})
+    if (std::abs(scene.domain.gravity[axis]) > std::abs(scene.domain.gravity[strongest])) strongest = axis;
+  return strongest;
+}
+
+std::vector<PlacedShape> place_shapes(const Case& scene, const Notes& notes) {
+  Earlier earlier;
   std::vector<PlacedShape> placed;
   for (const Shape& shape : scene.shapes) {
-    const RegionPointer region = make_region(shape, scene.info.dimension, named);
-    named[shape.name] = region;
-    if (shape.role == ShapeRole::none) continue;
-    PlacedShape result{&shape, region, nullptr, 0, density_at_rest(scene, shape)};
-    check_extent(scene, shape, region->bounds());
-    const bool container = result.is_wall() && shape.side == WallSide::outside;
     const double spacing = scene.numerics.spacing;
     // Whole layers, so that the kernel of a particle at the wall finds the wall complete.
-    result.thickness =
-        shape.thickness > 0 ? shape.thickness : std::ceil(kernel_support(scene) / spacing - 1e-6) * spacing;
-    if (container && shape.kind == ShapeKind::box) {
-      const Faces open = open_faces(scene, shape);
-      result.room = make_open_box(shape.from, shape.to, open, scene.info.dimension);
-      result.body = make_container_wall(shape.from, shape.to, open, result.thickness, scene.info.dimension);
-    } else if (container) {
-      result.room = region;
-      result.body = make_shell(region, result.thickness, scene.info.dimension);
+    const double layers = std::ceil(kernel_support(scene) / spacing - 1e-6) * spacing;
+    const double thickness = shape.thickness > 0 ? shape.thickness : layers;
+    const RegionPointer region = make_region(scene, shape, earlier, thickness, notes);
+    earlier.named[shape.name] = region;
+    if (shape.role == ShapeRole::none) continue;
+    PlacedShape result{&shape, region, nullptr, thickness, density_at_rest(scene, shape)};
+    check_extent(scene, shape, region->bounds());
+    if (result.is_wall() && shape.side == WallSide::outside) {
+      if (shape.kind == ShapeKind::box) {
+        const Faces open = open_faces(scene, shape);
+        result.room = make_open_box(shape.from, shape.to, open, scene.info.dimension);
+        result.body = make_container_wall(shape.from, shape.to, open, thickness, scene.info.dimension);
+      } else {
+        result.room = region;
+        result.body = make_shell(region, thickness, scene.info.dimension);
+      }
     }
+    earlier.add(result, region);
     placed.push_back(std::move(result));
   }
   return placed;
@@ -123,11 +249,7 @@ std::vector<PlacedShape> place_shapes(const Case& scene) {
 
 FlowRoom flow_room(const std::vector<PlacedShape>& shapes) {
   FlowRoom room;
-  for (const PlacedShape& placed : shapes) {
-    if (placed.is_container()) room.add_room(placed.room);
-    if (placed.is_wall()) room.add_solid(placed.body);
-    if (placed.shape->role == ShapeRole::empty) room.add_opening(placed.body);
-  }
+  for (const PlacedShape& placed : shapes) add_to(room, placed);
   return room;
 }
 

@@ -6,6 +6,7 @@
 #include "common/case.hpp"
 #include "gencase/flow_room.hpp"
 #include "gencase/region.hpp"
+#include "gencase/surface_shapes.hpp"
 
 namespace thalweg::gencase {
 
@@ -24,16 +25,16 @@ struct PlacedShape {
   [[nodiscard]] ParticleType type() const;
 };
 
-/// "case.toml:12: shape "pier"", the beginning of every message about a shape.
-std::string where(const Case& scene, const Shape& shape);
-
 /// Reach of the kernel, 2 h [m].
 double kernel_support(const Case& scene);
 
+/// Direction in which gravity pulls most: 0, 1 or 2; the last direction without gravity.
+int column_axis(const Case& scene);
+
 /// The geometry of every shape with a role, in the order of the case. Throws InputError naming shape, line, cause and
-/// cure: a shape thinner than the spacing, a container that walls off a periodic direction. `scene` must outlive the
-/// result.
-std::vector<PlacedShape> place_shapes(const Case& scene);
+/// cure: a shape thinner than the spacing, a container that walls off a periodic direction, a mesh that bounds no
+/// volume (surface_shapes.hpp). `scene` must outlive the result.
+std::vector<PlacedShape> place_shapes(const Case& scene, const Notes& notes = {});
 
 /// The room the walls among `shapes` leave to the flow.
 FlowRoom flow_room(const std::vector<PlacedShape>& shapes);

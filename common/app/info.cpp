@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "common/case_file.hpp"
@@ -12,6 +13,7 @@
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
+#include "common/memory.hpp"
 #include "common/run_folder.hpp"
 #include "common/units.hpp"
 
@@ -42,10 +44,13 @@ double memory_of(const ParticleSet& p) {
 void print_types(std::ostream& to, const ParticleSet& p) {
   const auto counts = count_by_type(p);
   const auto masses = mass_by_type(p);
-  const char* unit = p.info.dimension == 2 ? "kg/m" : "kg";
+  const bool plane = p.info.dimension == 2;
+  const char* unit = plane ? "kg/m" : "kg";
+  const double cell = std::pow(p.info.spacing, p.info.dimension);  // volume of a particle at the start
   for (std::size_t type = 0; type < counts.size(); ++type) {
     if (counts[type] == 0) continue;
     fmt::print(to, "  {:<12}{:>12}", type_names[type], counts[type]);
+    fmt::print(to, "  {:.6g} {}", static_cast<double>(counts[type]) * cell, plane ? "m^2" : "m^3");
     if (!p.mass.empty()) fmt::print(to, "  {:.6g} {}", masses[type], unit);
     fmt::print(to, "\n");
   }
@@ -97,6 +102,9 @@ void print_particles(std::ostream& to, const fs::path& file) {
   for (const auto& [name, values] : p.doubles) further.push_back(name);
   if (!further.empty()) fmt::print(to, "  further arrays: {}\n", fmt::join(further, ", "));
   fmt::print(to, "  memory of these arrays: {}\n", megabytes(memory_of(p)));
+  const MemoryEstimate memory = estimate_memory(static_cast<double>(p.size()), p.info.dimension);
+  fmt::print(to, "  memory of the solver: about {} on a CPU; {} of a GPU's and {} of the host's\n",
+             format_bytes(memory.total()), format_bytes(memory.solver), format_bytes(memory.host));
 }
 
 void print_series(std::ostream& to, const fs::path& pvd) {

@@ -133,6 +133,17 @@ TEST(Refusal, MovingWall) {
             "without it");
 }
 
+TEST(Refusal, KindTheMeshModelDoesNotHave) {
+  Case scene = water_tank();
+  scene.shapes.push_back(box("pier", ShapeRole::wall, Vec3(0.2, 0, 0), Vec3(0.21, 0, 0.1)));
+  scene.shapes.back().kind = ShapeKind::mesh;
+  scene.shapes.back().line = 40;
+  EXPECT_EQ(
+      refusal(scene),
+      "tank/case.toml:40: shape \"pier\" is of a kind the mesh model does not have (it takes box, cylinder, sphere "
+      "and their combinations); run this case with --no-foam");
+}
+
 TEST(Refusal, FluidOutsideTheContainer) {
   Case scene = water_tank();
   scene.shapes[1].from.x() = 0.5;

@@ -91,12 +91,23 @@ TEST(BadInput, WallsOutsideTheDomain) {
 
 TEST(BadInput, MoreThanTheMachinesMemory) {
   Case scene = pool_in_tank();
-  // 238 particles of 344 bytes; 1 cm * sqrt(81872 / 40000) = 1.43 cm.
+  // 238 particles of 620 bytes; 1 cm * sqrt(147560 / 40000) = 1.92 cm.
   EXPECT_EQ(refusal(scene, 40000),
-            "scene.toml: 238 particles at a spacing of 1 cm need 81.9 kB of memory and this machine has 40 kB; raise "
-            "numerics.spacing to 1.5 cm or more");
-  scene.numerics.spacing = 1e-6;  // 1e10 particles: refused after a coarse trial, in moments; 1 um * sqrt(3440) = 59 um
-  EXPECT_THAT(refusal(scene, 1e9), EndsWith("this machine has 1 GB; raise numerics.spacing to 59 um or more"));
+            "scene.toml: 238 particles at a spacing of 1 cm need 148 kB of memory and this machine has 40 kB; raise "
+            "numerics.spacing to 2 cm or more");
+  scene.numerics.spacing = 1e-6;  // 1e10 particles: refused after a coarse trial, in moments; 1 um * sqrt(6200) = 79 um
+  EXPECT_THAT(refusal(scene, 1e9), EndsWith("this machine has 1 GB; raise numerics.spacing to 79 um or more"));
+}
+
+TEST(BadInput, LevelWithoutAContainer) {
+  Case scene = pool_in_tank();
+  scene.shapes.erase(scene.shapes.begin());
+  scene.shapes[0].kind = ShapeKind::level;
+  scene.shapes[0].level = 0.05;
+  EXPECT_EQ(
+      refusal(scene),
+      "scene.toml:20: shape \"pool\" fills containers, and no wall with side = \"outside\" comes before it; put one "
+      "before it");
 }
 
 TEST(BadInput, SceneOfAbsurdExtent) {

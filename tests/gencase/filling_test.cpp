@@ -15,7 +15,7 @@ using testing::HasSubstr;
 std::vector<std::string> warnings_of(const Case& scene) {
   std::vector<std::string> lines;
   GenerateOptions options;
-  options.warn = [&](const std::string& line) { lines.push_back(line); };
+  options.notes.warn = [&](const std::string& line) { lines.push_back(line); };
   generate(scene, options);
   return lines;
 }

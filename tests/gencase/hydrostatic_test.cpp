@@ -105,7 +105,7 @@ TEST(Hydrostatic, GravityAlongAnotherAxis) {
   add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(0.3, 0, 0.2));
   std::string said;
   GenerateOptions options;
-  options.say = [&](const std::string& line) { said += line + '\n'; };
+  options.notes.say = [&](const std::string& line) { said += line + '\n'; };
   const ParticleSet set = generate(scene, options).particles;
   for (std::size_t i = 0; i < set.size(); ++i) EXPECT_NEAR(set.pressure[i], 1000 * g * set.position[i].x(), 1e-2);
   EXPECT_NE(said.find("gravity points along +x"), std::string::npos) << said;
@@ -118,7 +118,7 @@ TEST(Hydrostatic, WithoutGravityThePressureIsZero) {
   add_ball(scene, "drop", ShapeRole::water, Vec3(0, 0, 0), 0.1);
   std::string said;
   GenerateOptions options;
-  options.say = [&](const std::string& line) { said += line + '\n'; };
+  options.notes.say = [&](const std::string& line) { said += line + '\n'; };
   const ParticleSet set = generate(scene, options).particles;
   for (std::size_t i = 0; i < set.size(); ++i) {
     EXPECT_EQ(set.pressure[i], 0);

@@ -1,5 +1,11 @@
 #include "tests/gencase/scene.hpp"
 
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
 #include "common/error.hpp"
 
 namespace thalweg::gencase::test {
@@ -57,6 +63,41 @@ Shape& add_combination(Case& scene, const std::string& name, ShapeKind kind, Sha
   Shape& shape = add(scene, name, kind, role);
   shape.of = of;
   return shape;
+}
+
+Shape& add_mesh(Case& scene, const std::string& name, ShapeRole role, const Triangles& surface) {
+  static int files = 0;
+  scene.folder = std::filesystem::temp_directory_path();
+  const std::string file = "gencase_test_" + std::to_string(getpid()) + "_" + std::to_string(files++) + ".off";
+  std::ofstream to(scene.folder / file);
+  to.precision(17);
+  to << "OFF\n" << surface.points.size() << ' ' << surface.corners.size() << " 0\n";
+  for (const Vec3& p : surface.points) to << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const auto& [a, b, c] : surface.corners) to << "3 " << a << ' ' << b << ' ' << c << '\n';
+  Shape& shape = add(scene, name, ShapeKind::mesh, role);
+  shape.file = file;
+  return shape;
+}
+
+Triangles torus(double ring, double tube, int sides) {
+  Triangles result;
+  const auto n = static_cast<std::uint32_t>(sides);
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const double around = 2 * M_PI * i / n;
+      const double about = 2 * M_PI * j / n;
+      const double arm = ring + tube * std::cos(about);
+      result.points.emplace_back(arm * std::cos(around), arm * std::sin(around), tube * std::sin(about));
+    }
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * n + j;
+      const std::uint32_t b = (i + 1) % n * n + j;
+      const std::uint32_t c = (i + 1) % n * n + (j + 1) % n;
+      const std::uint32_t d = i * n + (j + 1) % n;
+      result.corners.insert(result.corners.end(), {{a, b, c}, {a, c, d}});
+    }
+  return result;
 }
 
 Shape& add_tank(Case& scene, const Vec3& from, const Vec3& to) {

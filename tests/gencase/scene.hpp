@@ -5,6 +5,7 @@
 
 #include "common/case.hpp"
 #include "gencase/generate.hpp"
+#include "gencase/region.hpp"
 
 namespace thalweg::gencase::test {
 
@@ -17,6 +18,10 @@ Shape& add_cylinder(Case& scene, const std::string& name, ShapeRole role, const 
                     double radius);
 Shape& add_combination(Case& scene, const std::string& name, ShapeKind kind, ShapeRole role,
                        const std::vector<std::string>& of);
+/// A mesh shape; its surface goes into a file of this process.
+Shape& add_mesh(Case& scene, const std::string& name, ShapeRole role, const Triangles& surface);
+/// A torus around the z axis through the origin; radii of its middle circle and of its tube [m].
+Triangles torus(double ring, double tube, int sides);
 /// A container open at the top.
 Shape& add_tank(Case& scene, const Vec3& from, const Vec3& to);
 /// Saturated sand of 2000 kg/m^3: half grains of 3000, half water.

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/particles.hpp"
+
+namespace thalweg {
+
+/// Polygons over common points, as files hold them.
+struct PolygonSoup {
+  std::vector<Vec3> points;  // in the file's unit
+  std::vector<std::vector<std::size_t>> polygons;
+};
+
+/// Polylines with a number each, to look at beside particles.
+struct LineSet {
+  std::string number_name;               // of the array that tells the lines apart
+  std::vector<std::vector<Vec3>> lines;  // [m]
+  std::vector<int> numbers;              // one for each line
+};
+
+/// Reads the polygons and triangle strips of a VTK XML polydata file (.vtp). Throws InputError naming the file.
+PolygonSoup read_vtp_surface(const std::filesystem::path& file);
+
+/// Writes polylines as .vtp, whole or not at all. Throws RunError.
+void write_lines(const std::filesystem::path& file, const LineSet& lines);
+
+}  // namespace thalweg

@@ -1,0 +1,69 @@
+#include "gencase/booleans.hpp"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Surface_mesh.h>
+
+namespace thalweg::gencase {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Mesh to_mesh(const Triangles& surface) {
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  for (const Vec3& p : surface.points) vertices.push_back(mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z())));
+  for (const auto& [a, b, c] : surface.corners)
+    if (mesh.add_face(vertices[a], vertices[b], vertices[c]) == Mesh::null_face())
+      throw NoManifold("the surface touches itself in an edge");
+  return mesh;
+}
+
+Triangles from_mesh(Mesh& mesh) {
+  mesh.collect_garbage();
+  Triangles surface;
+  for (const auto vertex : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(vertex);
+    surface.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+  for (const auto face : mesh.faces()) {
+    std::array<std::uint32_t, 3> corners{};
+    std::size_t k = 0;
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) corners.at(k++) = vertex.idx();
+    surface.corners.push_back(corners);
+  }
+  return surface;
+}
+
+}  // namespace
+
+Triangles combine(const Triangles& a, const Triangles& b, Boolean how) {
+  if (a.corners.empty()) return how == Boolean::unite ? b : a;
+  if (b.corners.empty()) return how == Boolean::intersect ? b : a;
+  Mesh first = to_mesh(a);
+  Mesh second = to_mesh(b);
+  Mesh result;
+  bool valid = false;
+  const auto checked = CGAL::parameters::throw_on_self_intersection(true);
+  try {
+    switch (how) {
+      case Boolean::unite:
+        valid = pmp::corefine_and_compute_union(first, second, result, checked);
+        break;
+      case Boolean::subtract:
+        valid = pmp::corefine_and_compute_difference(first, second, result, checked);
+        break;
+      case Boolean::intersect:
+        valid = pmp::corefine_and_compute_intersection(first, second, result, checked);
+        break;
+    }
+  } catch (const pmp::Corefinement::Self_intersection_exception&) {
+    throw NoManifold("one of the surfaces intersects itself where they meet");
+  }
+  if (!valid) throw NoManifold("the surfaces touch in an edge or a corner, where the result would have no inside");
+  return from_mesh(result);
+}
+
+}  // namespace thalweg::gencase

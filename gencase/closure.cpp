@@ -1,0 +1,115 @@
+#include "gencase/closure.hpp"
+
+#include <algorithm>
+#include <deque>
+
+namespace thalweg::gencase {
+namespace {
+
+class Flood {
+ public:
+  Flood(const Case& scene, const std::vector<PlacedShape>& shapes, const FlowRoom& room, const Filling& filling)
+      : scene_(scene), shapes_(shapes), room_(room), filling_(filling), lattice_(filling.lattice) {
+    up_ = lattice_.axes[2];
+    rises_ = scene.domain.gravity[up_] <= 0;
+    top_ = rises_ ? -1 : lattice_.count[up_];
+    for (std::int64_t node = 0; node < lattice_.nodes(); ++node) {
+      if (!is_fluid(node)) continue;
+      const std::int64_t height = lattice_.offset(node)[up_];
+      top_ = rises_ ? std::max(top_, height) : std::min(top_, height);
+    }
+    // Which way the flood came: one of six directions plus one; 0: dry; 7: a fluid particle.
+    came_.assign(static_cast<std::size_t>(lattice_.nodes()), 0);
+  }
+
+  std::optional<Leak> run() {
+    for (std::int64_t node = 0; node < lattice_.nodes(); ++node) {
+      if (!is_fluid(node)) continue;
+      came_[static_cast<std::size_t>(node)] = source;
+      front_.push_back(node);
+    }
+    for (; !front_.empty(); front_.pop_front()) {
+      const std::int64_t node = front_.front();
+      const Index3 at = lattice_.offset(node);
+      for (unsigned char direction = 0; direction < 6; ++direction)
+        if (auto leak = step(node, at, direction)) return leak;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr unsigned char source = 7;
+
+  [[nodiscard]] bool is_fluid(std::int64_t node) const {
+    const Label label = filling_.label[static_cast<std::size_t>(node)];
+    return label != nothing && label != solid_core && shapes_[label - 1U].is_fluid();
+  }
+  [[nodiscard]] bool is_wall(std::int64_t node) const {
+    const Label label = filling_.label[static_cast<std::size_t>(node)];
+    return label == solid_core || (label != nothing && shapes_[label - 1U].is_wall());
+  }
+  [[nodiscard]] bool is_periodic(int axis) const {
+    const auto& periodic = scene_.domain.periodic;
+    return std::find(periodic.begin(), periodic.end(), std::string(1, "xyz"[axis])) != periodic.end();
+  }
+
+  static Index3 moved(Index3 at, unsigned char direction) {
+    at[direction / 2] += direction % 2 == 0 ? 1 : -1;
+    return at;
+  }
+
+  std::optional<Leak> step(std::int64_t node, const Index3& at, unsigned char direction) {
+    const int axis = direction / 2;
+    if (lattice_.dimension == 2 && axis == 1) return std::nullopt;
+    const Index3 to = moved(at, direction);
+    if (axis == up_ && (rises_ ? to[up_] > top_ : to[up_] < top_)) return std::nullopt;
+    const Vec3 place = lattice_.position(to);
+    const bool left_lattice = to[axis] < 0 || to[axis] >= lattice_.count[axis];
+    if (!left_lattice && (came_[static_cast<std::size_t>(lattice_.flat(to))] != 0 || is_wall(lattice_.flat(to))))
+      return std::nullopt;
+    const bool left_domain = place[axis] < scene_.domain.from[axis] || place[axis] > scene_.domain.to[axis];
+    if (left_domain && is_periodic(axis)) return std::nullopt;
+    const bool left = left_lattice || left_domain;
+    if (left && room_.inside_containers(place)) return std::nullopt;  // through an open face
+    if (left || !room_.inside_rooms(place)) return Leak{path_to(node, place), room_.has_rooms()};
+    came_[static_cast<std::size_t>(lattice_.flat(to))] = static_cast<unsigned char>(direction + 1);
+    front_.push_back(lattice_.flat(to));
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::vector<Vec3> path_to(std::int64_t node, const Vec3& end) const {
+    std::vector<Vec3> path{end};
+    for (;;) {
+      const Index3 at = lattice_.offset(node);
+      path.push_back(lattice_.position(at));
+      const unsigned char came = came_[static_cast<std::size_t>(node)];
+      if (came == source) break;
+      node = lattice_.flat(moved(at, static_cast<unsigned char>((came - 1) ^ 1)));
+    }
+    std::reverse(path.begin(), path.end());
+    return path;
+  }
+
+  const Case& scene_;
+  const std::vector<PlacedShape>& shapes_;
+  const FlowRoom& room_;
+  const Filling& filling_;
+  const Lattice& lattice_;
+  int up_ = 2;
+  bool rises_ = true;
+  std::int64_t top_ = 0;
+  std::vector<unsigned char> came_;
+  std::deque<std::int64_t> front_;
+};
+
+}  // namespace
+
+std::optional<Leak> find_leak(const Case& scene, const std::vector<PlacedShape>& shapes, const FlowRoom& room,
+                              const Filling& filling) {
+  // Fluid without any wall, a falling drop, has nothing to leak from.
+  if (std::none_of(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return shape.is_wall(); }))
+    return std::nullopt;
+  return Flood(scene, shapes, room, filling).run();
+}
+
+}  // namespace thalweg::gencase

@@ -1,0 +1,45 @@
+#include "gencase/flow_skin.hpp"
+
+#include <fmt/format.h>
+
+#include "gencase/booleans.hpp"
+#include "gencase/nearest_surface.hpp"
+#include "gencase/polyhedron.hpp"
+
+namespace thalweg::gencase {
+namespace {
+
+/// The skin of the flow as one closed surface.
+class CutSkin : public SkinSearch {
+ public:
+  CutSkin(Triangles surface, double spacing) : flow_(make_polyhedron(std::move(surface))), spacing_(spacing) {}
+  [[nodiscard]] std::optional<SurfacePoint> find(const Vec3& from, double reach) const override {
+    std::optional<SurfacePoint> found = flow_->own_search()->find(from, reach);
+    // On the skin the surface's own normal counts, which leads out of the flow.
+    if (found && found->distance <= 1e-9 * spacing_) found->direction = -found->direction;
+    return found;
+  }
+
+ private:
+  RegionPointer flow_;
+  double spacing_;
+};
+
+}  // namespace
+
+std::unique_ptr<SkinSearch> make_flow_skin(const FlowRoom& room, const Bounds& around, double spacing, int dimension,
+                                           const Notes& notes) {
+  if (dimension == 3 && room.has_meshes()) {
+    constexpr double deviation = 0.01;  // of the spacing, by which triangles may leave curved walls
+    try {
+      if (auto surface = room.triangles(around, deviation * spacing); surface && !surface->corners.empty())
+        return std::make_unique<CutSkin>(std::move(*surface), spacing);
+    } catch (const NoManifold& error) {
+      notes.say(fmt::format("walls touch without overlapping ({}): normals near the contact are those of one of them",
+                            error.what()));
+    }
+  }
+  return std::make_unique<NearestSurface>(room, spacing);
+}
+
+}  // namespace thalweg::gencase

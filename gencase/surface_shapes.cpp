@@ -1,0 +1,246 @@
+#include "gencase/surface_shapes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "common/csv.hpp"
+#include "common/error.hpp"
+#include "common/units.hpp"
+#include "gencase/height_field.hpp"
+#include "gencase/mesh_defects.hpp"
+#include "gencase/mesh_reader.hpp"
+#include "gencase/mesh_repair.hpp"
+#include "gencase/polygon.hpp"
+#include "gencase/polyhedron.hpp"
+#include "gencase/tessellation.hpp"
+
+namespace thalweg::gencase {
+namespace {
+
+std::string length(double metres) { return format_quantity(metres, "m"); }
+
+std::string place(const Vec3& p) {
+  return fmt::format("x = {}, y = {}, z = {}", length(p.x()), length(p.y()), length(p.z()));
+}
+
+/// "case.toml:12: shape "pier": pier.stl".
+std::string begin_of(const Case& scene, const Shape& shape) { return where(scene, shape) + ": " + shape.file; }
+
+[[noreturn]] void refuse(const Case& scene, const Shape& shape, const std::string& what) {
+  throw InputError(begin_of(scene, shape) + " " + what);
+}
+
+Vec3 placed(const Shape& shape, const Vec3& p) {
+  Vec3 result = shape.scale * p;
+  for (int axis = 0; axis < 3 && !shape.rotate.empty(); ++axis)
+    result = Eigen::AngleAxisd(shape.rotate[static_cast<std::size_t>(axis)], Vec3::Unit(axis)) * result;
+  if (!shape.move.empty()) result += Vec3(shape.move[0], shape.move[1], shape.move[2]);
+  return result;
+}
+
+Triangles read_surface(const Case& scene, const Shape& shape) {
+  const std::filesystem::path file = scene.folder / shape.file;
+  Triangles surface;
+  try {
+    surface = triangulate(read_mesh(file));
+  } catch (const InputError& error) {
+    throw InputError(where(scene, shape) + ": " + error.what());
+  }
+  for (Vec3& p : surface.points) p = placed(shape, p);
+  return surface;
+}
+
+/// A body far larger than the domain that would fit a thousand times smaller was drawn in millimetres.
+void check_unit(const Case& scene, const Shape& shape, const Bounds& bounds) {
+  Vec3 domain = scene.domain.to - scene.domain.from;
+  Vec3 body = bounds.upper - bounds.lower;
+  if (scene.info.dimension == 2) domain.y() = body.y() = 0;
+  constexpr double far_larger = 20;
+  constexpr double thousandth = 1e-3;
+  if (body.maxCoeff() < far_larger * domain.maxCoeff() || thousandth * body.maxCoeff() > domain.maxCoeff()) return;
+  refuse(scene, shape,
+         fmt::format("measures {} and the domain {}: its numbers look like millimetres; write scale = {}",
+                     length(body.maxCoeff()), length(domain.maxCoeff()), shape.scale * thousandth));
+}
+
+void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bounds) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scene.info.dimension == 2 && axis == 1) continue;
+    if (bounds.upper[axis] > scene.domain.from[axis] && bounds.lower[axis] < scene.domain.to[axis]) continue;
+    refuse(
+        scene, shape,
+        fmt::format("lies outside of the domain: it reaches from {} to {} in {}, the domain from {} to {}; `move` it "
+                    "or enlarge [domain]",
+                    length(bounds.lower[axis]), length(bounds.upper[axis]), "xyz"[axis],
+                    length(scene.domain.from[axis]), length(scene.domain.to[axis])));
+  }
+}
+
+/// What the lattice cannot see may be welded; holes of a few particles, or small beside the body, may be filled.
+RepairLimits limits_of(const Case& scene, const Triangles& surface) {
+  const Bounds bounds = bounds_of(surface);
+  const double spacing = scene.numerics.spacing;
+  return {1e-3 * spacing, std::max(4 * spacing, 0.05 * (bounds.upper - bounds.lower).norm())};
+}
+
+void refuse_defects(const Case& scene, const Shape& shape, const Triangles& surface, const MeshDefects& defects,
+                    const Notes& notes) {
+  const std::string picture = notes.draw(shape.name + ".defects", defects.places);
+  const std::string fills = fmt::format("holes up to {} across", length(limits_of(scene, surface).hole));
+  std::string cure;
+  if (shape.repair) {
+    cure = fmt::format("the repair, which fills {}, could not cure this; mend the surface in the program that made it",
+                       fills);
+  } else if (defects.intersections > defects.between_bodies) {
+    cure = "mend the surface in the program that made it";
+  } else {
+    cure = fmt::format("mend it in the program that made it, or run gencase with --repair, which fills {}", fills);
+  }
+  if (!picture.empty()) cure += "; the places are in " + picture;
+  refuse(scene, shape, fmt::format("has {}; {}", defects.text(), cure));
+}
+
+Triangles repaired(const Case& scene, const Shape& shape, const Triangles& surface, const Notes& notes) {
+  Repaired result = repair(surface, limits_of(scene, surface));
+  if (!result.changes.empty())
+    notes.say(fmt::format("{} repaired: {}", begin_of(scene, shape), fmt::join(result.changes, ", ")));
+  return std::move(result.surface);
+}
+
+/// Refuses a surface that does not bound a volume; turns one that is inside out.
+Triangles checked(const Case& scene, const Shape& shape, Triangles surface, bool closed, const Notes& notes) {
+  if (shape.repair) surface = repaired(scene, shape, surface, notes);
+  const MeshDefects defects = find_defects(surface, closed);
+  if (defects.any()) refuse_defects(scene, shape, surface, defects, notes);
+  if (!closed || volume(surface) >= 0) return surface;
+  notes.say(begin_of(scene, shape) + " is inside out and was turned");
+  return turned(std::move(surface));
+}
+
+void check_thickness(const Case& scene, const Shape& shape, const Triangles& surface) {
+  const double limit = 2 * scene.numerics.spacing;
+  constexpr double share_of_edges = 0.01;  // sharp edges are thin everywhere
+  const Thickness thickness = thickness_of(surface, limit * (1 - 1e-6));
+  if (thickness.thin_share <= share_of_edges) return;
+  refuse(scene, shape,
+         fmt::format("is {} thin at {}, less than two spacings of {}, over {:.2g} % of its skin; use a smaller "
+                     "numerics.spacing, thicken it, or make it a plate with side = \"both\"",
+                     length(thickness.least), place(thickness.where), length(scene.numerics.spacing),
+                     100 * thickness.thin_share));
+}
+
+RegionPointer make_body(const Case& scene, const Shape& shape, Triangles surface) {
+  if (scene.info.dimension == 3) return make_polyhedron(std::move(surface));
+  std::vector<Edge> cut = slice(surface);
+  if (cut.empty()) refuse(scene, shape, "does not meet the plane y = 0, in which a 2-D scene lies; `move` it");
+  return make_polygon(std::move(cut));
+}
+
+bool is_wall(const Shape& shape) { return shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall; }
+
+/// Points of a table as they were measured, and the lines they stand on.
+struct Survey {
+  std::vector<Vec3> points;
+  bool has_y = true;
+};
+
+Survey read_survey(const Case& scene, const Shape& shape) {
+  Survey survey;
+  try {
+    const CsvTable table = CsvTable::read(scene.folder / shape.file);
+    const std::vector<double> x = table.numbers("x", "m");
+    const std::vector<double> z = table.numbers("z", "m");
+    survey.has_y = table.has("y");
+    const std::vector<double> y = survey.has_y ? table.numbers("y", "m") : std::vector<double>(x.size(), 0.0);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Vec3 p = placed(shape, Vec3(x[i], y[i], z[i]));
+      if (!p.allFinite())
+        throw InputError(table.where(i) + ": a coordinate is missing; give every point all of them, or remove the row");
+      survey.points.push_back(p);
+    }
+  } catch (const InputError& error) {
+    throw InputError(where(scene, shape) + ": " + error.what());
+  }
+  return survey;
+}
+
+void check_base(const Case& scene, const Shape& shape, const std::vector<Vec3>& points) {
+  const auto lowest =
+      std::min_element(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  if (lowest->z() > shape.base) return;
+  refuse(scene, shape,
+         fmt::format("reaches down to {} at {}, and `base` is {}; lower the base", length(lowest->z()), place(*lowest),
+                     length(shape.base)));
+}
+
+/// The section of a surface without change in y, closed by the base.
+std::vector<Eigen::Vector2d> section(const Case& scene, const Shape& shape, std::vector<Vec3> points) {
+  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].x() == points[i - 1].x())
+      refuse(scene, shape, fmt::format("gives two heights at x = {}; remove one of the points", length(points[i].x())));
+  if (points.size() < 2) refuse(scene, shape, "has fewer than two points; give at least two");
+  std::vector<Eigen::Vector2d> polygon{{points.front().x(), shape.base}, {points.back().x(), shape.base}};
+  for (auto p = points.rbegin(); p != points.rend(); ++p) polygon.emplace_back(p->x(), p->z());
+  return polygon;
+}
+
+RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& notes) {
+  const Survey survey = read_survey(scene, shape);
+  if (survey.points.empty()) refuse(scene, shape, "has no point; give at least three");
+  check_base(scene, shape, survey.points);
+  if (!survey.has_y) {
+    const auto polygon = section(scene, shape, survey.points);
+    if (scene.info.dimension == 2) return make_polygon(edges_of(polygon));
+    // Beyond the domain, so that it ends in no wall.
+    const double beyond = scene.domain.to.y() - scene.domain.from.y();
+    return make_polyhedron(
+        extrude(counter_clockwise(polygon), 1, scene.domain.from.y() - beyond, scene.domain.to.y() + beyond));
+  }
+  try {
+    return make_body(scene, shape,
+                     checked(scene, shape, closed_downward(triangulated(survey.points), shape.base), true, notes));
+  } catch (const NoHeightField& error) {
+    refuse(scene, shape, error.what());
+  }
+}
+
+}  // namespace
+
+std::string where(const Case& scene, const Shape& shape) {
+  return fmt::format("{}:{}: shape \"{}\"", scene.file.string(), shape.line, shape.name);
+}
+
+RegionPointer make_mesh(const Case& scene, const Shape& shape, double plate_thickness, const Notes& notes) {
+  Triangles surface = read_surface(scene, shape);
+  check_unit(scene, shape, bounds_of(surface));
+  check_inside_domain(scene, shape, bounds_of(surface));
+  const bool plate = is_wall(shape) && shape.side == WallSide::both;
+  surface = checked(scene, shape, std::move(surface), !plate, notes);
+  if (plate && scene.info.dimension == 2)
+    refuse(scene, shape, "is a plate (side = \"both\"), which 3-D scenes have only; use a thin box or prism");
+  if (plate) return make_plate(std::move(surface), plate_thickness);
+  if (is_wall(shape) && shape.side == WallSide::inside && scene.info.dimension == 3)
+    check_thickness(scene, shape, surface);
+  return make_body(scene, shape, std::move(surface));
+}
+
+RegionPointer make_bathymetry(const Case& scene, const Shape& shape, const Notes& notes) {
+  const std::string extension = std::filesystem::path(shape.file).extension().string();
+  if (extension == ".csv" || extension == ".CSV") return make_survey(scene, shape, notes);
+  Triangles surface = read_surface(scene, shape);
+  check_unit(scene, shape, bounds_of(surface));
+  check_inside_domain(scene, shape, bounds_of(surface));
+  check_base(scene, shape, surface.points);
+  surface = checked(scene, shape, std::move(surface), false, notes);
+  try {
+    return make_body(scene, shape, checked(scene, shape, closed_downward(surface, shape.base), true, notes));
+  } catch (const NoHeightField& error) {
+    refuse(scene, shape, error.what());
+  }
+}
+
+}  // namespace thalweg::gencase
