@@ -49,16 +49,19 @@ struct OpenMp {
   T reduce(Index n, T start, const Of& of, const Combine& combine) const {
     constexpr Index block = 2048;
     const Index blocks = (n + block - 1) / block;
-    std::vector<T> partial(blocks, start);
+    struct Partial {  // keeps threads from writing to neighbouring bits of a std::vector<bool>
+      T sum;
+    };
+    std::vector<Partial> partial(blocks, Partial{start});
 #pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
     for (Index b = 0; b < blocks; ++b) {
       T sum = start;
       const Index end = (b + 1) * block < n ? (b + 1) * block : n;
       for (Index i = b * block; i < end; ++i) sum = combine(sum, of(i));
-      partial[b] = sum;
+      partial[b].sum = sum;
     }
     T total = start;
-    for (const T& p : partial) total = combine(total, p);
+    for (const Partial& p : partial) total = combine(total, p.sum);
     return total;
   }
 
