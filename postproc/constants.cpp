@@ -40,6 +40,13 @@ class ValueList {
     for (const double value : values) texts.push_back(format_quantity(value, unit));
     add(key, fmt::format("{}", fmt::join(texts, ", ")), sentence);
   }
+  void polygon(const char* key, std::vector<Eigen::Vector2d>& corners, const char* unit, const char* sentence) {
+    std::vector<std::string> texts;
+    for (const Eigen::Vector2d& corner : corners) {
+      texts.push_back(fmt::format("({}, {})", format_quantity(corner.x(), unit), format_quantity(corner.y(), unit)));
+    }
+    add(key, fmt::format("{}", fmt::join(texts, ", ")), sentence);
+  }
   template <class E>
   void choice(const char* key, E& value, const char* sentence) {
     for (const Choice<E>& candidate : choices(E{})) {
