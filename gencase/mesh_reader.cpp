@@ -59,20 +59,21 @@ void check_stl(const std::string& bytes) {
 }
 
 void check_off(const std::string& bytes) {
+  // The word, then the counts, on the same line or another one; comments anywhere.
   std::istringstream text(bytes);
-  std::string line;
-  double points = -1;
-  double faces = -1;
-  while (std::getline(text, line)) {
+  std::vector<std::string> words;
+  for (std::string line; words.size() < 4 && std::getline(text, line);) {
     line.erase(std::min(line.find('#'), line.size()));
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line.find("OFF") != std::string::npos) continue;
-    std::istringstream counts(line);
-    counts >> points >> faces;
-    break;
+    std::istringstream of_line(line);
+    words.insert(words.end(), std::istream_iterator<std::string>(of_line), {});
   }
-  if (bytes.find("OFF") == std::string::npos || points < 0 || faces < 0)
+  const bool counted =
+      words.size() >= 3 && std::all_of(words.begin() + 1, words.begin() + 3, [](const std::string& word) {
+        return word.size() <= 10 && word.find_first_not_of("0123456789") == std::string::npos;
+      });
+  if (!counted || (words[0] != "OFF" && words[0] != "COFF" && words[0] != "NOFF" && words[0] != "CNOFF"))
     throw InputError("is no OFF file: the word OFF and the counts of points and faces are missing; export it again");
-  check_count("points and faces", points + faces, static_cast<double>(bytes.size()), 4);
+  check_count("points and faces", std::stod(words[1]) + std::stod(words[2]), static_cast<double>(bytes.size()), 4);
 }
 
 /// CGAL's reader of PLY trusts the header; fuzzing found that it crashes on a property before any element.
