@@ -11,8 +11,9 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
-#include <new>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -58,40 +59,63 @@ void check_stl(const std::string& bytes) {
 }
 
 void check_off(const std::string& bytes) {
+  // The word, then the counts, on the same line or another one; comments anywhere.
   std::istringstream text(bytes);
-  std::string line;
-  double points = -1;
-  double faces = -1;
-  while (std::getline(text, line)) {
+  std::vector<std::string> words;
+  for (std::string line; words.size() < 4 && std::getline(text, line);) {
     line.erase(std::min(line.find('#'), line.size()));
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line.find("OFF") != std::string::npos) continue;
-    std::istringstream counts(line);
-    counts >> points >> faces;
-    break;
+    std::istringstream of_line(line);
+    words.insert(words.end(), std::istream_iterator<std::string>(of_line), {});
   }
-  if (bytes.find("OFF") == std::string::npos || points < 0 || faces < 0)
+  const bool counted =
+      words.size() >= 3 && std::all_of(words.begin() + 1, words.begin() + 3, [](const std::string& word) {
+        return word.size() <= 10 && word.find_first_not_of("0123456789") == std::string::npos;
+      });
+  if (!counted || (words[0] != "OFF" && words[0] != "COFF" && words[0] != "NOFF" && words[0] != "CNOFF"))
     throw InputError("is no OFF file: the word OFF and the counts of points and faces are missing; export it again");
-  check_count("points and faces", points + faces, static_cast<double>(bytes.size()), 4);
+  check_count("points and faces", std::stod(words[1]) + std::stod(words[2]), static_cast<double>(bytes.size()), 4);
 }
 
+/// CGAL's reader of PLY trusts the header; fuzzing found that it crashes on a property before any element.
 void check_ply(const std::string& bytes) {
-  if (bytes.compare(0, 3, "ply") != 0 || bytes.find("end_header") == std::string::npos)
+  static const std::set<std::string> types{"char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
+                                           "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
+  const auto damaged = [](const std::string& line) {
+    throw InputError(fmt::format("has a damaged header (\"{}\"); export it again", line));
+  };
+  if (bytes.compare(0, 3, "ply") != 0 || bytes.find("\nend_header") == std::string::npos)
     throw InputError("is no PLY file: its header is missing; export it again");
-  std::istringstream header(bytes.substr(0, bytes.find("end_header")));
+  std::istringstream header(bytes.substr(0, bytes.find("\nend_header")));
   double elements = 0;
-  bool faces = false;
+  std::string element;
+  bool formatted = false;
+  std::set<std::string> has;  // "vertex x", "face" with a list
   for (std::string line; std::getline(header, line);) {
-    std::istringstream words(line);
-    std::string first;
-    std::string name;
-    double count = -1;
-    if (!(words >> first) || first != "element") continue;
-    if (!(words >> name >> count) || count < 0) throw InputError("has a damaged header; export it again");
-    faces = faces || name == "face";
-    elements += count;
+    while (!line.empty() && line.back() == '\r') line.pop_back();
+    std::istringstream text(line);
+    std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+    if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") continue;
+    if (words[0] == "format" && words.size() == 3) {
+      formatted = words[1] == "ascii" || words[1] == "binary_little_endian" || words[1] == "binary_big_endian";
+      if (!formatted) damaged(line);
+    } else if (words[0] == "element" && words.size() == 3) {
+      if (words[2].size() > 10 || words[2].find_first_not_of("0123456789") != std::string::npos) damaged(line);
+      element = words[1];
+      elements += std::stod(words[2]);
+    } else if (words[0] == "property" && !element.empty() && words.size() == 3 && types.contains(words[1])) {
+      has.insert(element + " " + words[2]);
+    } else if (words[0] == "property" && !element.empty() && words.size() == 5 && words[1] == "list" &&
+               types.contains(words[2]) && types.contains(words[3])) {
+      has.insert(element);
+    } else {
+      damaged(line);
+    }
   }
-  if (!faces) throw InputError("holds points and no faces; export the surface, not a cloud of points");
-  check_count("points and faces", elements, static_cast<double>(bytes.size()), 4);
+  if (!formatted) throw InputError("has a header without format; export it again");
+  if (!has.contains("vertex x") || !has.contains("vertex y") || !has.contains("vertex z"))
+    throw InputError("has points without x, y or z; export it again");
+  if (!has.contains("face")) throw InputError("holds points and no faces; export the surface, not a cloud of points");
+  check_count("points and faces", elements, static_cast<double>(bytes.size()), 1);
 }
 
 void check_obj(const std::string& bytes) {

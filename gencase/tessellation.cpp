@@ -64,7 +64,7 @@ Triangles revolve(const Vec3& from, const Vec3& axis, const std::vector<Eigen::V
     for (int k = 0; k < (away > 0 ? around : 1); ++k) {
       const double angle = 2 * std::numbers::pi * k / around;
       ring.push_back(static_cast<std::uint32_t>(result.points.size()));
-      result.points.push_back(from + along * axis + away * (std::cos(angle) * u + std::sin(angle) * v));
+      result.points.emplace_back(from + along * axis + away * (std::cos(angle) * u + std::sin(angle) * v));
     }
   };
   if (profile.front().y() > 0) add_ring(profile.front().x(), 0);
