@@ -225,6 +225,30 @@ TEST(Explain, FindsKeysHoweverTheyAreNamed) {
 }
 
 // The two files are generated; `cmake --build <build> --target docs` writes them anew.
+TEST(Explain, SetsTheTwoReadingsOfTheModelSideBySide) {
+  const std::string text = explained("sediment");
+  EXPECT_THAT(text, HasSubstr("model.sediment\n"));
+  EXPECT_THAT(text,
+              HasSubstr("  bed load to deposit\n    paper:      none: bed load never consolidates\n    consistent: "));
+  EXPECT_EQ(explained("spacing").find("consistent:"), std::string::npos);
+}
+
+TEST(Implementation, SetsDefaultsThatTheCaseMayStillChange) {
+  const Case ours = read_case(good_case);
+  EXPECT_EQ(ours.model.yield_fit, YieldFit::sine);
+  EXPECT_EQ(ours.model.bed_shear, BedShear::log_law);
+  const Case printed = read_case(good_case, {"model.implementation=paper"});
+  EXPECT_EQ(printed.model.yield_fit, YieldFit::paper);
+  EXPECT_EQ(printed.model.bed_shear, BedShear::paper);
+  EXPECT_DOUBLE_EQ(printed.sediment().consistency, 1.54);
+  EXPECT_DOUBLE_EQ(printed.sediment().flow_index, 1.8);
+  const Case mixed =
+      read_case(good_case, {"model.implementation=paper", "model.yield_fit=outer", "materials.pvc.flow_index=1"});
+  EXPECT_EQ(mixed.model.yield_fit, YieldFit::outer);
+  EXPECT_DOUBLE_EQ(mixed.sediment().flow_index, 1);
+  EXPECT_EQ(mixed.model.bed_shear, BedShear::paper);
+}
+
 TEST(Documentation, IsWhatTheDeclarationsSay) {
   std::ostringstream markdown;
   write_key_reference(markdown);

@@ -20,12 +20,19 @@ void expect_same(const ParticleSet& a, const ParticleSet& b) {
   EXPECT_EQ(a.scalars, b.scalars);
 }
 
-/// The options that keep more of a particle than the others.
-class Restart : public testing::TestWithParam<const char*> {};
+/// Options that keep more of a particle than others, and where the run is broken off.
+struct Continued {
+  const char* name;
+  std::vector<std::string> options;
+  const char* until = "0.05 s";
+};
+void PrintTo(const Continued& c, std::ostream* to) { *to << c.name; }
+
+class Restart : public testing::TestWithParam<Continued> {};
 
 TEST_P(Restart, ContinuesBitForBit) {
   std::vector<std::string> overrides = short_louvain;
-  overrides.emplace_back(GetParam());
+  overrides.insert(overrides.end(), GetParam().options.begin(), GetParam().options.end());
   test::CaseRun straight("straight");
   straight.fill("louvain", overrides);
   ASSERT_EQ(run_solver(straight.options()), Exit::done);
@@ -33,7 +40,7 @@ TEST_P(Restart, ContinuesBitForBit) {
   test::CaseRun broken("broken");
   broken.fill("louvain", overrides);
   RunOptions half = broken.options();
-  half.until = "0.05 s";
+  half.until = GetParam().until;
   ASSERT_EQ(run_solver(half), Exit::done);
   RunOptions rest = broken.options();
   rest.restart = broken.folder().checkpoint();
@@ -46,8 +53,13 @@ TEST_P(Restart, ContinuesBitForBit) {
   for (std::size_t i = 1; i < time.size(); ++i) EXPECT_GT(time[i], time[i - 1]);
 }
 INSTANTIATE_TEST_SUITE_P(Options, Restart,
-                         testing::Values("model.seepage=off", "model.seepage=mixture",
-                                         "model.pore_pressure=diffusion"));
+                         testing::Values(Continued{"three_states", {}},
+                                         Continued{
+                                             "at_rest", {"output.end=\"0.4 s\"", "output.interval=\"0.2 s\""}, "0.2 s"},
+                                         Continued{"laplace", {"model.effective_pressure=laplace"}},
+                                         Continued{"mixture", {"model.sediment=viscoplastic", "model.seepage=mixture"}},
+                                         Continued{"pore_pressure", {"model.pore_pressure=diffusion"}}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST(RestartCheck, RefusesACheckpointThatIsAtTheEnd) {
   test::CaseRun run("at_end");
