@@ -62,7 +62,7 @@ void check_off(const std::string& bytes) {
   // The word, then the counts, on the same line or another one; comments anywhere.
   std::istringstream text(bytes);
   std::vector<std::string> words;
-  for (std::string line; words.size() < 4 && std::getline(text, line);) {
+  for (std::string line; std::getline(text, line);) {
     line.erase(std::min(line.find('#'), line.size()));
     std::istringstream of_line(line);
     words.insert(words.end(), std::istream_iterator<std::string>(of_line), {});
@@ -73,7 +73,14 @@ void check_off(const std::string& bytes) {
       });
   if (!counted || (words[0] != "OFF" && words[0] != "COFF" && words[0] != "NOFF" && words[0] != "CNOFF"))
     throw InputError("is no OFF file: the word OFF and the counts of points and faces are missing; export it again");
-  check_count("points and faces", std::stod(words[1]) + std::stod(words[2]), static_cast<double>(bytes.size()), 4);
+  const auto size = static_cast<double>(bytes.size());
+  check_count("points and faces", std::stod(words[1]) + std::stod(words[2]), size, 4);
+  // Behind the points stand numbers of corners, their indices and colours: none is larger than the file.
+  const auto points_end = 4 + 3 * static_cast<std::size_t>(std::stod(words[1]));
+  for (std::size_t i = points_end; i < words.size(); ++i) {
+    const std::string digits = words[i].substr(0, words[i].find_first_not_of("0123456789"));
+    if (!digits.empty()) check_count("corners", std::stod(digits), size, 1);
+  }
 }
 
 /// CGAL's reader of PLY trusts the header; fuzzing found that it crashes on a property before any element.
@@ -83,9 +90,11 @@ void check_ply(const std::string& bytes) {
   const auto damaged = [](const std::string& line) {
     throw InputError(fmt::format("has a damaged header (\"{}\"); export it again", line));
   };
-  if (bytes.compare(0, 3, "ply") != 0 || bytes.find("\nend_header") == std::string::npos)
+  const std::size_t end = bytes.find("\nend_header");
+  if (bytes.compare(0, 3, "ply") != 0 || end == std::string::npos ||
+      bytes.find_first_not_of('\r', end + 11) != bytes.find('\n', end + 1))
     throw InputError("is no PLY file: its header is missing; export it again");
-  std::istringstream header(bytes.substr(0, bytes.find("\nend_header")));
+  std::istringstream header(bytes.substr(0, end));
   double elements = 0;
   std::string element;
   bool formatted = false;
@@ -103,6 +112,9 @@ void check_ply(const std::string& bytes) {
       element = words[1];
       elements += std::stod(words[2]);
     } else if (words[0] == "property" && !element.empty() && words.size() == 3 && types.contains(words[1])) {
+      const bool place = element == "vertex" && (words[2] == "x" || words[2] == "y" || words[2] == "z");
+      if (place && words[1] != "float" && words[1] != "float32" && words[1] != "double" && words[1] != "float64")
+        throw InputError(fmt::format("gives {} as {}; export its coordinates as float or double", words[2], words[1]));
       has.insert(element + " " + words[2]);
     } else if (words[0] == "property" && !element.empty() && words.size() == 5 && words[1] == "list" &&
                types.contains(words[2]) && types.contains(words[3])) {
