@@ -81,11 +81,10 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
       continue;
     }
     ++fluid;
-    const double rho0 = scene.density_at_rest(r.phase);
     r.excess = exact_excess != from.scalars.end()
                    ? exact_excess->second[i]
                    : static_cast<float>(double(from.density[i]) / double(scene.density_in_files(r.phase)) - 1);
-    r.volume = static_cast<float>(double(from.mass[i]) / (rho0 * (1 + double(r.excess))));
+    r.volume = from.mass[i] / (scene.density_at_rest(r.phase) * (1 + r.excess));  // as the step does
     if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
     if (r.phase == phase_sediment) r.state = states != from.scalars.end() ? states->second[i] : state_deposit;
     if (!scene.may_rest && is_resting(r)) r.state = state_deposit;

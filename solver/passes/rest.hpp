@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/particles.hpp"
+#include "solver/passes/pressure.hpp"
 
 // Deposits that rest. Sediment which has been below yield and slow for a while, with nothing moving in reach and
 // something that holds it, stops exactly: it is a wall to its neighbours, leaves the viscous solve and costs next to
@@ -142,10 +143,13 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, doub
   const rest::MayStop<Dim> may_stop{records, sediment, p.list(), scene};
   on.for_each(p.fluid_count, [=](Index i) { stopping[i] = may_stop(i) ? 1 : 0; });
   Rates* rates = p.rates.data();
+  // What stops has the pressure and volume of its last density: the equation of state leaves it alone from now on.
+  const EquationOfStatePass<Dim> take_state{records, p.mass.data(), scene};
   const Changes stopped = on.reduce(
       p.fluid_count, Changes{},
       [=](Index i) {
         if (stopping[i] == 0) return Changes{};
+        take_state(i);
         records[i].state = state_resting;
         for (int c = 0; c < 3; ++c) {
           records[i].velocity[c] = records[i].work[c] = sediment[i].viscous_acceleration[c] = 0;

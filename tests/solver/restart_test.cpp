@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Options, Restart,
                                          Continued{"laplace", {"model.effective_pressure=laplace"}},
                                          Continued{"mixture", {"model.sediment=viscoplastic", "model.seepage=mixture"}},
                                          Continued{"pore_pressure", {"model.pore_pressure=diffusion"}}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(RestartCheck, RefusesACheckpointThatIsAtTheEnd) {
   test::CaseRun run("at_end");
