@@ -54,7 +54,7 @@ set xlabel "mm"
 set yrange [-0.5:{len(effect_rows)}-0.5]
 set ytics nomirror
 set xrange [0:*]
-set key at graph 0.98,0.14
+set key at graph 0.98,0.62
 set arrow 1 from first {scatter:.3f},graph 0 to first {scatter:.3f},graph 1 nohead front dt 2 lw 2
 plot $effects using 2:0:(0):2:($0-0.35):($0) with boxxyerror fs solid 0.8 lc rgb "#8c6239" title "bed", \\
      $effects using 3:0:(0):3:($0):($0+0.35):ytic(1) with boxxyerror fs solid 0.8 lc rgb "#2b6cb0" \\
