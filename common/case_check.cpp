@@ -262,6 +262,15 @@ class CaseCheck {
                "give the friction angle of a fast flow, some 12 deg above");
       }
     }
+    if (case_.model.sediment == SedimentModel::three_state && !(case_.domain.gravity.norm() > 0)) {
+      reject("model.sediment", "sediment = \"three-state\" needs gravity: grains roll and settle by their weight",
+             "give domain.gravity, or write sediment = \"viscoplastic\"");
+    }
+    if (case_.model.sediment == SedimentModel::three_state && !(case_.water.viscosity > 0)) {
+      reject("materials.water.viscosity",
+             "sediment = \"three-state\" needs the water's viscosity for shear and settling",
+             "give it, or write sediment = \"viscoplastic\"");
+    }
     if (!case_.has_sediment() && case_.model.sediment != SedimentModel::off) {
       reject("model.sediment", "model.sediment is on, and no shape has the role sediment",
              "add a sediment shape or write sediment = \"off\"");

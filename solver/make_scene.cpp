@@ -56,11 +56,6 @@ ErosionScene<Dim> make_erosion(const Case& from) {
   const double g = from.domain.gravity.norm();
   const double rho = from.water.density;
   const double viscosity = from.water.viscosity;
-  if (!(viscosity > 0)) {
-    throw InputError(from.file.string() +
-                     ": materials.water.viscosity: sediment = \"three-state\" needs it for shear stress and settling; "
-                     "give it, or write sediment = \"viscoplastic\"");
-  }
   ErosionScene<Dim> out;
   const double d_star = dimensionless_diameter(s.grain_diameter, s.grain_density, rho, g, viscosity);
   out.bed_shear = from.model.bed_shear;

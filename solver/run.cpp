@@ -86,9 +86,14 @@ void announce_choices(const Case& c) {
       if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
     }
   };
+  announce("model.sediment", c.model.sediment, SedimentModel::viscoplastic);
+  announce("model.implementation", c.model.implementation, Model{}.implementation);
   announce("model.effective_pressure", c.model.effective_pressure, Model{}.effective_pressure);
   announce("model.yield", c.model.yield, Model{}.yield);
   announce("model.rheology", c.model.rheology, Model{}.rheology);
+  if (c.model.sediment == SedimentModel::three_state) {
+    announce("model.bed_shear", c.model.bed_shear, Model{}.bed_shear);
+  }
   announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
 }
 
