@@ -15,7 +15,6 @@ ALLOWED = {
     "common": {"solver/physics"},  # parameter structs are declared beside the laws that use them
     "common/io": {"common", "solver/physics"},
     "common/app": {"common", "common/io"},  # the umbrella program, which sits on both libraries
-    "common/app": {"common", "common/io"},
     "gencase": {"common", "common/io"},
     "solver/physics": set(),
     "solver data": {"solver/physics"},
