@@ -4,6 +4,8 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Surface_mesh.h>
 
+#include "gencase/triangle_mesh.hpp"
+
 namespace thalweg::gencase {
 namespace {
 
@@ -19,22 +21,6 @@ Mesh to_mesh(const Triangles& surface) {
     if (mesh.add_face(vertices[a], vertices[b], vertices[c]) == Mesh::null_face())
       throw NoManifold("the surface touches itself in an edge");
   return mesh;
-}
-
-Triangles from_mesh(Mesh& mesh) {
-  mesh.collect_garbage();
-  Triangles surface;
-  for (const auto vertex : mesh.vertices()) {
-    const Kernel::Point_3& p = mesh.point(vertex);
-    surface.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-  for (const auto face : mesh.faces()) {
-    std::array<std::uint32_t, 3> corners{};
-    std::size_t k = 0;
-    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) corners.at(k++) = vertex.idx();
-    surface.corners.push_back(corners);
-  }
-  return surface;
 }
 
 }  // namespace
@@ -63,7 +49,7 @@ Triangles combine(const Triangles& a, const Triangles& b, Boolean how) {
     throw NoManifold("one of the surfaces intersects itself where they meet");
   }
   if (!valid) throw NoManifold("the surfaces touch in an edge or a corner, where the result would have no inside");
-  return from_mesh(result);
+  return triangles_of(result);
 }
 
 }  // namespace thalweg::gencase

@@ -20,6 +20,7 @@
 
 #include "common/units.hpp"
 #include "gencase/booleans.hpp"
+#include "gencase/triangle_mesh.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -88,22 +89,6 @@ std::size_t fill_holes(Mesh& mesh, double largest) {
   return filled;
 }
 
-Triangles from_mesh(Mesh& mesh) {
-  mesh.collect_garbage();
-  Triangles surface;
-  for (const auto vertex : mesh.vertices()) {
-    const auto& p = mesh.point(vertex);
-    surface.points.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const auto face : mesh.faces()) {
-    std::array<std::uint32_t, 3> corners{};
-    std::size_t k = 0;
-    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) corners.at(k++) = vertex.idx();
-    surface.corners.push_back(corners);
-  }
-  return surface;
-}
-
 /// Unites the closed bodies of a mesh that reach into each other; nothing if it cannot be done.
 std::optional<Triangles> unite_bodies(const Mesh& mesh) {
   std::vector<Mesh> bodies;
@@ -112,7 +97,7 @@ std::optional<Triangles> unite_bodies(const Mesh& mesh) {
   try {
     for (Mesh& body : bodies) {
       if (!pmp::is_outward_oriented(body)) pmp::reverse_face_orientations(body);
-      result = combine(result, from_mesh(body), Boolean::unite);
+      result = combine(result, triangles_of(body), Boolean::unite);
     }
   } catch (const NoManifold&) {
     return std::nullopt;
@@ -168,7 +153,7 @@ Repaired repair(const Triangles& surface, const RepairLimits& limits) {
       return result;
     }
   }
-  result.surface = from_mesh(mesh);
+  result.surface = triangles_of(mesh);
   return result;
 }
 

@@ -36,9 +36,7 @@ class Polygon : public Region {
   [[nodiscard]] bool contains(const Vec3& p) const override {
     Line line;
     line.origin = p;
-    for (const Span& span : cut(line))
-      if (p.z() >= span.low && p.z() <= span.high) return true;
-    return false;
+    return covers(cut(line), p.z());
   }
   [[nodiscard]] Bounds bounds() const override { return bounds_; }
   [[nodiscard]] std::optional<double> measure() const override {

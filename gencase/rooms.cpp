@@ -12,9 +12,7 @@ class PartOfRoom : public Region {
   [[nodiscard]] bool contains(const Vec3& p) const override {
     Line line;
     line.origin = p;
-    for (const Span& span : cut(line))
-      if (p.z() >= span.low && p.z() <= span.high) return true;
-    return false;
+    return covers(cut(line), p.z());
   }
   [[nodiscard]] std::optional<double> measure() const override { return std::nullopt; }
   [[nodiscard]] std::optional<Triangles> triangles(double) const override { return std::nullopt; }

@@ -56,4 +56,8 @@ std::int64_t first_node_from(const Line& line, double at) {
   return node;
 }
 
+bool covers(const Spans& spans, double at) {
+  return std::any_of(spans.begin(), spans.end(), [at](const Span& span) { return at >= span.low && at <= span.high; });
+}
+
 }  // namespace thalweg::gencase

@@ -37,6 +37,9 @@ Spans unite(const Spans& a, const Spans& b);
 Spans intersect(const Spans& a, const Spans& b);
 Spans subtract(const Spans& a, const Spans& b);
 
+/// Whether `at` [m] lies in one of them, ends included.
+bool covers(const Spans& spans, double at);
+
 /// Calls `visit(first, last)` for every run of nodes of `line` within `spans`, last included.
 template <class Visit>
 void for_runs(const Line& line, const Spans& spans, Visit&& visit);
