@@ -3,13 +3,15 @@
 
 import csv
 import pathlib
+import subprocess
 import sys
 import tomllib
 
 HEAD = """# Stability: what the suite tries to break, and what came of it
 
 This page is written by the target `stability-page` from the tables that the tests of `cases/stability/suite.toml` leave
-behind; `cases/stability/README.md` explains scenes and measures. CPU seconds are those of the machine it was run on.
+behind; `cases/stability/README.md` explains scenes and measures. Commit COMMIT; CPU seconds are those of one core of the
+machine it was run on.
 
     cmake --build build/release --target stability-page
 
@@ -64,7 +66,9 @@ def main(suite_file, results, page):
     suite = tomllib.loads(pathlib.Path(suite_file).read_text(encoding="utf-8"))
     lines = [line_of(case, results_of(pathlib.Path(results), case["name"])) for case in suite["case"]]
     bounds = suite["every_run"]
-    text = HEAD + "\n".join(table(lines))
+    commit = subprocess.run(["git", "-C", pathlib.Path(suite_file).parent, "rev-parse", "--short", "HEAD"],
+                            capture_output=True, text=True).stdout.strip() or "unknown"
+    text = HEAD.replace("COMMIT", commit) + "\n".join(table(lines))
     text += "\n\nBounds in every case that has to run to its end, unless the cell says another:\n\n"
     for name, bound in bounds.items():
         text += f"- {name.replace('_', ' ')} ≤ {bound['at_most']:g}: {bound['why']}.\n"
