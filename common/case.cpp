@@ -29,6 +29,7 @@ bool shape_uses_key(const Shape& shape, std::string_view key, int dimension) {
   const bool is_wall = shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall;
   if (key == "name" || key == "kind" || key == "role") return true;
   if (key == "material") return shape.role == ShapeRole::sediment;
+  if (key == "motion") return shape.role == ShapeRole::moving_wall;
   const bool from_file = shape.kind == ShapeKind::mesh || shape.kind == ShapeKind::bathymetry;
   const bool combined = shape.kind == ShapeKind::combine_union || shape.kind == ShapeKind::combine_difference ||
                         shape.kind == ShapeKind::combine_intersection;
@@ -69,6 +70,33 @@ std::vector<std::string> shape_needs_keys(const Shape& shape, int dimension) {
     case ShapeKind::combine_difference:
     case ShapeKind::combine_intersection:
       return {"of"};
+  }
+  return {};
+}
+
+bool motion_uses_key(const Motion& motion, std::string_view key, int dimension) {
+  if (key == "name" || key == "kind") return true;
+  const bool by_table = motion.kind == MotionKind::piecewise_linear || motion.kind == MotionKind::rotation;
+  if (key == "times" || key == "file") return by_table;
+  if (key == "displacements") return motion.kind == MotionKind::piecewise_linear;
+  if (key == "angles" || key == "angular_speed" || key == "center") return motion.kind == MotionKind::rotation;
+  if (key == "axis") return motion.kind == MotionKind::rotation && dimension == 3;
+  if (key == "direction") return motion.kind != MotionKind::rotation;
+  if (key == "start") return motion.kind != MotionKind::piecewise_linear;
+  if (key == "speed" || key == "acceleration" || key == "distance") return motion.kind == MotionKind::gate_lift;
+  return motion.kind == MotionKind::oscillation;  // amplitude, period
+}
+
+std::vector<std::string> motion_needs_keys(const Motion& motion, int dimension) {
+  switch (motion.kind) {
+    case MotionKind::piecewise_linear:
+    case MotionKind::gate_lift:
+      return {"direction"};
+    case MotionKind::rotation:
+      if (dimension == 2) return {"center"};
+      return {"center", "axis"};
+    case MotionKind::oscillation:
+      return {"direction", "amplitude", "period"};
   }
   return {};
 }

@@ -30,6 +30,7 @@
 ///   point(key, Vec3&, si_unit, sentence)                        one entry per dimension: [x, z] in 2-D, [x, y, z] in
 ///   3-D quantities(key, std::vector<double>&, si_unit, low, high, sentence) polygon(key, std::vector<Vector2d>&,
 ///   si_unit, sentence) [[x, z], …] choice(key, E&, sentence) the names come from choices(E)
+///   direction(key, Vec3&, sentence)                             plain numbers, one per dimension; any length but zero
 namespace thalweg {
 
 /// Marks a number the case file has to give.
@@ -117,7 +118,7 @@ inline constexpr std::array<Choice<ShapeRole>, 6> choices(ShapeRole) {
            {ShapeRole::water, "water", "filled with water"},
            {ShapeRole::sediment, "sediment", "filled with the sediment named by `material`"},
            {ShapeRole::wall, "wall", "a fixed wall"},
-           {ShapeRole::moving_wall, "moving wall", "a wall with a prescribed motion"},
+           {ShapeRole::moving_wall, "moving wall", "a wall that moves as the [[motion]] named by `motion` says"},
            {ShapeRole::empty, "empty", "takes away what earlier shapes put there"}}};
 }
 inline constexpr std::array<Choice<WallSide>, 3> choices(WallSide) {
@@ -160,6 +161,7 @@ struct Shape {
   std::vector<std::string> of;
   BooleanMethod boolean = BooleanMethod::exact;
   std::string material;
+  std::string motion;
   WallSide side = WallSide::inside;
   std::vector<std::string> open;
   double thickness = 0;  // [m]
@@ -192,12 +194,77 @@ struct Shape {
     v.texts("of", of, "union, difference, intersection: names of the shapes combined.");
     v.choice("boolean", boolean, "union, difference, intersection with a mesh among their shapes: how to combine.");
     v.text("material", material, "role = \"sediment\": name of the material; may be left out when there is only one.");
+    v.text("motion", motion, "role = \"moving wall\": name of its [[motion]]; shapes with the same one move together.");
     v.choice("side", side, "Walls: which side of the surface is wall.");
     v.texts("open", open,
             "Container walls (side = \"outside\") of a box: faces without wall, any of \"-x\", \"+x\", \"-y\", \"+y\", "
             "\"-z\", \"+z\".");
     v.quantity("thickness", thickness, "m", 0, 1e6,
                "layer: height above the floor. Walls: thickness; default: as much as the kernel's support needs.");
+  }
+};
+
+enum class MotionKind { piecewise_linear, rotation, gate_lift, oscillation };
+
+inline constexpr std::array<Choice<MotionKind>, 4> choices(MotionKind) {
+  return {{{MotionKind::piecewise_linear, "piecewise linear",
+            "along `direction` by `displacements` at `times`, or by the table in `file`; at rest before and after"},
+           {MotionKind::rotation, "rotation",
+            "about `axis` through `center`, from `start` on with `angular_speed`, or by `angles` at `times`, or by the "
+            "table in `file`"},
+           {MotionKind::gate_lift, "gate lift",
+            "along `direction` from `start` on, with `speed` at once, or with `acceleration` until it has `speed` (for "
+            "ever without `speed`); stops after `distance`"},
+           {MotionKind::oscillation, "oscillation",
+            "along `direction` from `start` on by amplitude (1 - cos(2 pi t/period)): from rest at one end of a stroke "
+            "of twice the amplitude"}}};
+}
+
+/// One [[motion]]: how moving walls move. At t = 0 they are where their shapes put them, whatever a table says there.
+struct Motion {
+  std::string name;
+  MotionKind kind = MotionKind::piecewise_linear;
+  Vec3 direction = Vec3::Zero();      // [-]
+  std::vector<double> times;          // [s]
+  std::vector<double> displacements;  // [m]
+  std::vector<double> angles;         // [rad]
+  std::string file;
+  Vec3 center = Vec3::Zero();  // [m]
+  Vec3 axis = Vec3::Zero();    // [-]
+  double angular_speed = 0;    // [rad/s]
+  double start = 0;            // [s]
+  double speed = 0;            // [m/s]
+  double acceleration = 0;     // [m/s^2]
+  double distance = 0;         // [m]
+  double amplitude = 0;        // [m]
+  double period = 0;           // [s]
+
+  template <class V>
+  void describe(V& v) {
+    v.text("name", name, "Name of the motion, unique in the case.");
+    v.choice("kind", kind, "How it goes.");
+    v.direction("direction", direction, "piecewise linear, gate lift, oscillation: where to; any length.");
+    v.quantities("times", times, "s", 0, 1e9, "piecewise linear, rotation: times of the table, increasing.");
+    v.quantities("displacements", displacements, "m", -1e6, 1e6,
+                 "piecewise linear: way along `direction` at `times`, counted from the one at t = 0.");
+    v.quantities("angles", angles, "rad", -1e6, 1e6,
+                 "rotation: angle about `axis` at `times`, counted from the one at t = 0.");
+    v.text(
+        "file", file,
+        "piecewise linear, rotation: the table as CSV, relative to the case's folder: time [s], and displacement [m] "
+        "or angle [rad] or angle [deg].");
+    v.point("center", center, "m", "rotation: a point on the axis (the hinge of a flap).");
+    v.direction(
+        "axis", axis,
+        "rotation in 3-D: direction of the axis, turned about by the right-hand rule; in 2-D angles are counted "
+        "counter-clockwise, x to the right and z upwards.");
+    v.quantity("angular_speed", angular_speed, "rad/s", -1e6, 1e6, "rotation: angle per time, without a table.");
+    v.quantity("start", start, "s", 0, 1e9, "gate lift, oscillation, rotation with angular_speed: when it begins.");
+    v.quantity("speed", speed, "m/s", 0, 1e4, "gate lift: final speed; 0: as `acceleration` has it.");
+    v.quantity("acceleration", acceleration, "m/s^2", 0, 1e6, "gate lift: how fast it gets there; 0: at once.");
+    v.quantity("distance", distance, "m", 0, 1e6, "gate lift: after which it stops at once; 0: never.");
+    v.quantity("amplitude", amplitude, "m", 0, 1e6, "oscillation: half the stroke.");
+    v.quantity("period", period, "s", 0, 1e9, "oscillation: time of one to and fro.");
   }
 };
 
@@ -445,6 +512,9 @@ struct Case {
   CaseInfo info;
   Domain domain;
   std::vector<Shape> shapes;
+  std::vector<Motion> motions;
+  /// Contents of the files that shapes name, as hashes by their names: what tells one mesh from another in hash_of().
+  std::map<std::string, std::string> file_hashes;
   GencaseParameters gencase;
   WaterParameters water;
   std::map<std::string, SedimentParameters> sediments;  // [materials.<name>] other than water

@@ -27,6 +27,7 @@ class CaseCheck {
     case_name();
     domain();
     for (std::size_t i = 0; i < case_.shapes.size(); ++i) shape(i);
+    for (const Motion& each : case_.motions) motion(each);
     phases();
     seepage();
     numerics();
@@ -185,11 +186,7 @@ class CaseCheck {
       });
       if (!used) reject(path, fmt::format("{} has no role and no other shape uses it", path), "give it a role");
     }
-    if (s.role == ShapeRole::moving_wall) {
-      reject(path + ".role",
-             fmt::format("{}.role = \"moving wall\" needs a motion, which a case cannot describe", path),
-             "use \"wall\"");
-    }
+    if (s.role == ShapeRole::moving_wall) motion_of(s, path);
     if (s.role != ShapeRole::sediment) return;
     std::vector<std::string> known;
     for (const auto& [name, parameters] : case_.sediments) known.push_back(name);
@@ -203,6 +200,98 @@ class CaseCheck {
     if (!case_.sediments.contains(s.material)) {
       reject(path + ".material", fmt::format("{}.material = \"{}\" is no sediment", path, s.material),
              fmt::format("the sediments are {}", fmt::join(known, ", ")));
+    }
+  }
+
+  void motion_of(const Shape& s, const std::string& path) const {
+    if (s.motion.empty()) {
+      reject(path + ".role", fmt::format("{} is a moving wall without a motion", path),
+             "add motion = \"...\" and a table [[motion]] of that name");
+    }
+    std::vector<std::string> known;
+    for (const Motion& each : case_.motions) known.push_back(each.name);
+    if (std::find(known.begin(), known.end(), s.motion) != known.end()) return;
+    const auto near = nearest(s.motion, known);
+    reject(path + ".motion", fmt::format("{}.motion = \"{}\" is no motion", path, s.motion),
+           known.empty() ? "add a table [[motion]] of that name"
+           : near        ? fmt::format("did you mean \"{}\"?", *near)
+                         : fmt::format("the motions are {}", fmt::join(known, ", ")));
+  }
+
+  void motion(const Motion& m) const {
+    const std::string path = "motion." + m.name;
+    motion_keys(m, path);
+    const bool used = std::any_of(case_.shapes.begin(), case_.shapes.end(), [&](const Shape& s) {
+      return s.role == ShapeRole::moving_wall && s.motion == m.name;
+    });
+    if (!used) {
+      reject(path, fmt::format("{} moves no shape", path),
+             "name it as `motion` of a shape with role = \"moving wall\", or remove it");
+    }
+    if (m.kind == MotionKind::piecewise_linear) motion_table(m, path, "displacements", m.displacements);
+    if (m.kind == MotionKind::rotation) rotation(m, path);
+    if (m.kind == MotionKind::gate_lift && !(m.speed > 0 || m.acceleration > 0)) {
+      reject(path, fmt::format("{} has neither speed nor acceleration", path), "give one of them");
+    }
+    if (m.kind == MotionKind::oscillation && !(m.period > 0)) {
+      reject(path + ".period", fmt::format("{}.period is zero", path), "give the time of one to and fro");
+    }
+    if (case_.model.seepage == SeepageModel::mixture) {
+      reject("model.seepage", "a mixture of grains and water has no moving walls", "remove one of the two");
+    }
+  }
+
+  void motion_keys(const Motion& m, const std::string& path) const {
+    const std::vector<std::string> needed = motion_needs_keys(m, case_.info.dimension);
+    std::string kind;
+    for (const Choice<MotionKind>& word : choices(MotionKind{})) {
+      if (word.value == m.kind) kind = word.name;
+    }
+    for (const std::string& key : needed) {
+      if (!origins_.has(path + "." + key)) {
+        reject(path, fmt::format("{}.{} is missing", path, key),
+               fmt::format("a motion of kind \"{}\" needs {}", kind, fmt::join(needed, ", ")));
+      }
+    }
+    for (const KeyDeclaration& key : find_table("motion")->keys) {
+      const std::string full = path + "." + key.name;
+      if (origins_.has(full) && !motion_uses_key(m, key.name, case_.info.dimension)) {
+        reject(full, fmt::format("{} means nothing for a motion of kind \"{}\"", full, kind), "remove it");
+      }
+    }
+  }
+
+  void rotation(const Motion& m, const std::string& path) const {
+    const bool by_table = !m.file.empty() || !m.times.empty() || !m.angles.empty();
+    if (m.angular_speed == 0) return motion_table(m, path, "angles", m.angles);
+    if (by_table) {
+      reject(path, fmt::format("{} has an angular_speed and a table", path), "choose one of the two");
+    }
+  }
+
+  void motion_table(const Motion& m, const std::string& path, const std::string& column,
+                    const std::vector<double>& values) const {
+    const std::string by_speed = column == "angles" ? ", or angular_speed" : "";
+    if (!m.file.empty() && (!m.times.empty() || !values.empty())) {
+      reject(path + ".file", fmt::format("{} has a file and a table of its own", path), "choose one of the two");
+    }
+    if (!m.file.empty()) return;
+    if (m.times.empty() && values.empty()) {
+      reject(path, fmt::format("{} does not say how far it goes", path),
+             fmt::format("give times and {}, or a file{}", column, by_speed));
+    }
+    if (m.times.size() != values.size() || values.size() < 2) {
+      reject(path + "." + column, fmt::format("{} has {} times and {} {}", path, m.times.size(), values.size(), column),
+             "give as many of both, two at least");
+    }
+    for (std::size_t i = 1; i < m.times.size(); ++i) {
+      if (!(m.times[i] > m.times[i - 1])) {
+        reject(path + ".times", fmt::format("{}.times has {} s after {} s", path, m.times[i], m.times[i - 1]),
+               "let them increase");
+      }
+    }
+    if (column == "angles" && m.start > 0) {
+      reject(path + ".start", fmt::format("{}.start means nothing with a table", path), "begin the table later");
     }
   }
 

@@ -4,13 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
 #include <set>
+#include <sstream>
 
 #include "common/case_check.hpp"
 #include "common/case_keys.hpp"
 #include "common/case_table_reader.hpp"
 #include "common/case_tables.hpp"
 #include "common/case_toml.hpp"
+#include "common/csv.hpp"
 
 namespace thalweg {
 namespace {
@@ -44,22 +49,28 @@ const toml::table& as_table(const toml::node& node, const std::string& name, con
   return *node.as_table();
 }
 
-void check_shapes(const toml::node& node, const std::string& file) {
+// `list` is "shape" or "motion".
+void check_list(const toml::node& node, const std::string& list, const std::string& file) {
   if (!node.is_array() || !node.as_array()->is_homogeneous(toml::node_type::table)) {
-    reject_case(where_is(node, file), "shape is no list of tables", "write [[shape]] above each shape");
+    reject_case(where_is(node, file), fmt::format("{} is no list of tables", list),
+                fmt::format("write [[{0}]] above each {0}", list));
   }
   std::set<std::string> names;
-  for (const toml::node& shape : *node.as_array()) {
-    const toml::table& table = *shape.as_table();
-    const std::string name = name_of_shape(table);
+  for (const toml::node& entry : *node.as_array()) {
+    const toml::table& table = *entry.as_table();
+    const std::string name = name_of_entry(table);
     const toml::node* name_node = table.get("name");
-    if (name_node == nullptr) reject_case(where_is(shape, file), "a shape has no name", "add name = \"...\"");
-    if (name.empty()) reject_case(where_is(*name_node, file), "a shape's name must be a text", "write name = \"...\"");
+    if (name_node == nullptr) {
+      reject_case(where_is(entry, file), fmt::format("a {} has no name", list), "add name = \"...\"");
+    }
+    if (name.empty()) {
+      reject_case(where_is(*name_node, file), fmt::format("a {}'s name must be a text", list), "write name = \"...\"");
+    }
     if (!names.insert(name).second) {
       reject_case(where_is(*name_node, file), fmt::format("the name \"{}\" is used twice", name),
-                  "rename one of the shapes");
+                  fmt::format("rename one of the {}s", list));
     }
-    check_keys(table, *find_table("shape"), "shape." + name, file);
+    check_keys(table, *find_table(list), fmt::format("{}.{}", list, name), file);
   }
 }
 
@@ -77,14 +88,14 @@ void check_shapes(const toml::node& node, const std::string& file) {
 }
 
 void check_names(const toml::table& root, const std::string& file) {
-  std::vector<std::string> known{"shape", "materials"};
+  std::vector<std::string> known{"shape", "motion", "materials"};
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name.find_first_of("[.") == std::string::npos) known.push_back(table.name);
   }
   for (const auto& [name, node] : root) {
     const std::string table(name.str());
-    if (table == "shape") {
-      check_shapes(node, file);
+    if (table == "shape" || table == "motion") {
+      check_list(node, table, file);
     } else if (table == "materials") {
       for (const auto& [material, values] : as_table(node, table, file)) {
         const std::string path = "materials." + std::string(material.str());
@@ -118,9 +129,11 @@ class CaseReader {
     if (root_["model"]["implementation"].value<std::string>() == "paper") take_printed_defaults();
     for_each_table(
         result_, [&](const TableHeading& heading, auto& table) { read_table(heading.name, table); },
-        [&] { read_shapes(); }, [&] { read_sediments(); });
+        [&] { read_list("shape", result_.shapes), read_list("motion", result_.motions); }, [&] { read_sediments(); });
     name_materials();
     check_case(result_, origins_);
+    for (Motion& motion : result_.motions) take_table(motion);
+    hash_files();
     return std::move(result_);
   }
 
@@ -139,14 +152,62 @@ class CaseReader {
     table.describe(reader);
   }
 
-  void read_shapes() {
-    const toml::array* shapes = root_["shape"].as_array();
-    if (shapes == nullptr) return;
-    for (const toml::node& node : *shapes) {
-      Shape& shape = result_.shapes.emplace_back();
-      TableReader reader(node.as_table(), "shape." + name_of_shape(*node.as_table()), result_.info.dimension, origins_);
-      shape.describe(reader);
-      shape.line = static_cast<int>(node.source().begin.line);
+  template <class Entry>
+  void read_list(const std::string& list, std::vector<Entry>& entries) {
+    const toml::array* nodes = root_[list].as_array();
+    if (nodes == nullptr) return;
+    for (const toml::node& node : *nodes) {
+      Entry& entry = entries.emplace_back();
+      const std::string path = fmt::format("{}.{}", list, name_of_entry(*node.as_table()));
+      TableReader reader(node.as_table(), path, result_.info.dimension, origins_);
+      entry.describe(reader);
+      if constexpr (std::is_same_v<Entry, Shape>) entry.line = static_cast<int>(node.source().begin.line);
+    }
+  }
+
+  /// The rows of a motion's file become its own, so that the resolved case holds them.
+  void take_table(Motion& motion) const {
+    if (motion.file.empty()) return;
+    const CsvTable table = CsvTable::read(result_.folder / motion.file);
+    motion.times = table.numbers("time", "s");
+    if (motion.kind == MotionKind::rotation) {
+      const auto& columns = table.columns();
+      const bool degrees = std::any_of(columns.begin(), columns.end(), [](const CsvColumn& column) {
+        return column.name == "angle" && column.unit == "deg";
+      });
+      motion.angles = table.numbers("angle", degrees ? "deg" : "rad");
+      if (degrees) {
+        for (double& angle : motion.angles) angle *= std::numbers::pi / 180;
+      }
+    } else {
+      motion.displacements = table.numbers("displacement", "m");
+    }
+    const std::vector<double>& values = motion.kind == MotionKind::rotation ? motion.angles : motion.displacements;
+    if (values.size() < 2) throw InputError(table.where() + ": the table has less than two rows; add some");
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      if (!std::isfinite(values[row]) || !(motion.times[row] >= 0) || !std::isfinite(motion.times[row])) {
+        throw InputError(table.where(row) + ": the row lacks a number or its time is negative; give both");
+      }
+      if (row > 0 && !(motion.times[row] > motion.times[row - 1])) {
+        throw InputError(table.where(row) + ": the time is not after that of the row before; sort the rows");
+      }
+    }
+    motion.file.clear();
+  }
+
+  /// A run's folder may be looked at where the files are not: it carries their hashes along.
+  void hash_files() {
+    if (const toml::table* known = root_["resolved"]["files"].as_table()) {
+      for (const auto& [name, hash] : *known) result_.file_hashes[std::string(name.str())] = hash.value_or("");
+      return;
+    }
+    for (const Shape& shape : result_.shapes) {
+      if (shape.file.empty()) continue;
+      const std::ifstream file(result_.folder / shape.file, std::ios::binary);
+      if (!file) continue;  // gencase says so when it needs it
+      std::ostringstream content;
+      content << file.rdbuf();
+      result_.file_hashes[shape.file] = hash_of_text(content.str());
     }
   }
 

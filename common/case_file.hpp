@@ -20,8 +20,10 @@ Case read_case(const std::filesystem::path& case_path, const std::vector<std::st
 /// `resolved.folder` is kept in it, so that reference files are still found. Throws RunError.
 void write_case(const std::filesystem::path& file, const Case& resolved);
 
-/// Short hash of all values of a case (not of comments or order), for provenance.
+/// Short hash of all values of a case (not of comments or order) and of the files its shapes name, for provenance.
 std::string hash_of(const Case& resolved);
+/// The hash proper.
+std::string hash_of_text(std::string_view text);
 
 /// Prints unit, default, range and meaning of `key` ("numerics.spacing", "numerics", "spacing") or, if empty, of all.
 /// Throws InputError with the nearest known key when there is none.

@@ -53,6 +53,11 @@ class Collector {
                                        format_quantity(value.y(), unit), format_quantity(value.z(), unit));
     }
   }
+  void direction(const char* key, Vec3& value, const char* sentence) {
+    KeyDeclaration& added = add(key, KeyKind::direction, sentence);
+    added.required = std::isnan(value.x());
+    if (!added.required) added.default_text = fmt::format("[{}, {}, {}]", value.x(), value.y(), value.z());
+  }
   void quantities(const char* key, std::vector<double>&, const char* unit, double low, double high,
                   const char* sentence) {
     KeyDeclaration& added = add(key, KeyKind::quantities, sentence);
@@ -110,10 +115,16 @@ std::vector<TableDeclaration> collect_all() {
   Shape shape;
   shape.from = shape.to = shape.center = Vec3::Constant(required);
   shape.radius = required;
+  Motion motion;
+  motion.direction = motion.center = motion.axis = Vec3::Constant(required);
+  motion.amplitude = motion.period = required;
   SedimentParameters sediment;
   for_each_table(
       defaults, [&](const TableHeading& heading, auto& table) { tables.push_back(collect(heading, table)); },
-      [&] { tables.push_back(collect(shape_heading, shape)); },
+      [&] {
+        tables.push_back(collect(shape_heading, shape));
+        tables.push_back(collect(motion_heading, motion));
+      },
       [&] { tables.push_back(collect(sediment_heading, sediment)); });
   return tables;
 }
@@ -137,7 +148,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string KeyDeclaration::full_name() const {
-  return fmt::format("{}.{}", table == shape_heading.name ? "shape" : table, name);
+  return fmt::format("{}.{}", is_list() ? table.substr(1, table.size() - 2) : table, name);
 }
 
 const std::vector<TableDeclaration>& case_declarations() {
@@ -148,6 +159,7 @@ const std::vector<TableDeclaration>& case_declarations() {
 const TableDeclaration* find_table(std::string_view name) {
   std::string_view wanted = name;
   if (wanted == "shape") wanted = shape_heading.name;
+  if (wanted == "motion") wanted = motion_heading.name;
   if (wanted.starts_with("materials.") && wanted != water_heading.name) wanted = sediment_heading.name;
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name == wanted) return &table;

@@ -7,7 +7,7 @@
 
 namespace thalweg {
 
-enum class KeyKind { quantity, number, integer, flag, text, texts, point, quantities, polygon, choice };
+enum class KeyKind { quantity, number, integer, flag, text, texts, point, quantities, polygon, choice, direction };
 
 /// One declaration of a key, read from the describe() of its table.
 struct KeyDeclaration {
@@ -25,6 +25,8 @@ struct KeyDeclaration {
 
   /// "numerics.spacing"; "shape.radius" for a key of [[shape]].
   [[nodiscard]] std::string full_name() const;
+  /// Whether a case may have several of its table, under names of their own: [[shape]], [[motion]].
+  [[nodiscard]] bool is_list() const { return table.starts_with('['); }
 };
 
 struct TableDeclaration {

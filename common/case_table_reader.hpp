@@ -97,6 +97,31 @@ class TableReader {
     value = dimension_ == 2 ? Vec3(component(0), 0, component(1)) : Vec3(component(0), component(1), component(2));
   }
 
+  void direction(const char* key, Vec3& value, const char*) {
+    const char* axes = dimension_ == 2 ? "[x, z]" : "[x, y, z]";
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const toml::array& entries = array_of(*node, key, axes);
+    if (entries.size() != static_cast<std::size_t>(dimension_)) {
+      reject_case(where(*node), fmt::format("{} has {} entries", full(key), entries.size()),
+                  fmt::format("dimension = {} needs {}: {}", dimension_, dimension_, axes));
+    }
+    value = Vec3::Zero();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const auto number = entries[i].value_exact<double>();
+      const auto whole = entries[i].value_exact<std::int64_t>();
+      if ((!number || !std::isfinite(*number)) && !whole) {
+        reject_case(where(entries[i]), fmt::format("{} is a direction and takes plain numbers", full(key)),
+                    "write it without quotes and unit");
+      }
+      value[dimension_ == 2 && i == 1 ? 2 : static_cast<Eigen::Index>(i)] =
+          number ? *number : static_cast<double>(*whole);
+    }
+    if (!(value.norm() > 0)) {
+      reject_case(where(*node), fmt::format("{} is zero", full(key)), "give one of its numbers another value");
+    }
+  }
+
   void quantities(const char* key, std::vector<double>& values, const char* unit, double low, double high,
                   const char*) {
     const toml::node* node = find(key);

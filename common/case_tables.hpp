@@ -12,12 +12,14 @@ struct TableHeading {
 
 inline constexpr TableHeading shape_heading{
     "[shape]", "Geometry: one such table for every shape, in the order in which they are filled."};
+inline constexpr TableHeading motion_heading{"[motion]",
+                                             "How moving walls move: one such table for every motion (geometry.md)."};
 inline constexpr TableHeading water_heading{"materials.water", "The water."};
 inline constexpr TableHeading sediment_heading{"materials.<sediment>",
                                                "A sediment, under the name by which shapes refer to it."};
 
-/// Calls visit(heading, table) for every table that occurs once, in reading order. Shapes and sediments, of which there
-/// may be several, stand where `visit_shapes()` and `visit_sediments()` are called.
+/// Calls visit(heading, table) for every table that occurs once, in reading order. Shapes with their motions, and
+/// sediments, of which there may be several, stand where `visit_shapes()` and `visit_sediments()` are called.
 template <class Visit, class VisitShapes, class VisitSediments>
 void for_each_table(Case& of, Visit&& visit, VisitShapes&& visit_shapes, VisitSediments&& visit_sediments) {
   visit(TableHeading{"case", "What the scene is."}, of.info);
@@ -38,5 +40,9 @@ bool shape_uses_key(const Shape& shape, std::string_view key, int dimension);
 
 /// The keys without which a shape of this kind is not defined.
 std::vector<std::string> shape_needs_keys(const Shape& shape, int dimension);
+
+/// The same of a motion; a rotation by a table has no `start`.
+bool motion_uses_key(const Motion& motion, std::string_view key, int dimension);
+std::vector<std::string> motion_needs_keys(const Motion& motion, int dimension);
 
 }  // namespace thalweg

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <ostream>
 #include <sstream>
 
@@ -23,11 +24,12 @@ std::string toml_text(const std::string& text) {
 // The shortest digits that read back as the same number.
 std::string quantity_text(double value, const char* unit) { return fmt::format("\"{} {}\"", value, unit); }
 
-// Visits a table and prints its keys; a shape only those that mean something for it.
+// Visits a table and prints its keys, of a shape or a motion only those that `uses` it.
 class TableWriter {
  public:
-  TableWriter(std::ostream& to, int dimension, const Shape* shape = nullptr)
-      : to_(to), dimension_(dimension), shape_(shape) {}
+  using UsesKey = std::function<bool(const char*)>;
+  TableWriter(std::ostream& to, int dimension, UsesKey uses = nullptr)
+      : to_(to), dimension_(dimension), uses_(std::move(uses)) {}
 
   void quantity(const char* key, double& value, const char* unit, double, double, const char*) {
     if (!std::isnan(value)) line(key, quantity_text(value, unit));
@@ -49,6 +51,10 @@ class TableWriter {
     if (dimension_ == 3) entries.insert(entries.begin() + 1, quantity_text(value.y(), unit));
     list(key, entries);
   }
+  void direction(const char* key, Vec3& value, const char*) {
+    if (dimension_ == 2) return line(key, fmt::format("[{}, {}]", value.x(), value.z()));
+    line(key, fmt::format("[{}, {}, {}]", value.x(), value.y(), value.z()));
+  }
   void quantities(const char* key, std::vector<double>& values, const char* unit, double, double, const char*) {
     std::vector<std::string> entries;
     for (const double value : values) entries.push_back(quantity_text(value, unit));
@@ -69,7 +75,7 @@ class TableWriter {
 
  private:
   void line(const char* key, const std::string& value) {
-    if (shape_ == nullptr || shape_uses_key(*shape_, key, dimension_)) fmt::print(to_, "{} = {}\n", key, value);
+    if (!uses_ || uses_(key)) fmt::print(to_, "{} = {}\n", key, value);
   }
   void list(const char* key, const std::vector<std::string>& entries) {
     line(key, fmt::format("[{}]", fmt::join(entries, ", ")));
@@ -77,7 +83,7 @@ class TableWriter {
 
   std::ostream& to_;
   int dimension_;
-  const Shape* shape_;
+  UsesKey uses_;
 };
 
 void write_values(std::ostream& to, Case values) {
@@ -90,8 +96,13 @@ void write_values(std::ostream& to, Case values) {
   const auto write_shapes = [&] {
     for (Shape& shape : values.shapes) {
       fmt::print(to, "\n[[shape]]\n");
-      TableWriter writer(to, dimension, &shape);
+      TableWriter writer(to, dimension, [&](const char* key) { return shape_uses_key(shape, key, dimension); });
       shape.describe(writer);
+    }
+    for (Motion& motion : values.motions) {
+      fmt::print(to, "\n[[motion]]\n");
+      TableWriter writer(to, dimension, [&](const char* key) { return motion_uses_key(motion, key, dimension); });
+      motion.describe(writer);
     }
   };
   const auto write_sediments = [&] {
@@ -109,17 +120,26 @@ void write_case(const std::filesystem::path& file, const Case& resolved) {
     fmt::print(to,
                "# The case as it was resolved: every key with its value. Written by thalweg " THALWEG_VERSION ".\n");
     fmt::print(to, "\n[resolved]\nfolder = {}\n", toml_text(resolved.folder.string()));
+    if (!resolved.file_hashes.empty()) fmt::print(to, "\n[resolved.files]\n");
+    for (const auto& [name, hash] : resolved.file_hashes) {
+      fmt::print(to, "{} = {}\n", toml_text(name), toml_text(hash));
+    }
     write_values(to, resolved);
   });
+}
+
+std::string hash_of_text(std::string_view text) {
+  // FNV-1a, 64 bit (Fowler, Noll and Vo): told apart are cases, not attackers.
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return fmt::format("{:016x}", hash);
 }
 
 std::string hash_of(const Case& resolved) {
   std::ostringstream text;
   write_values(text, resolved);
-  // FNV-1a, 64 bit (Fowler, Noll and Vo): told apart are cases, not attackers.
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text.str()) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return fmt::format("{:016x}", hash);
+  for (const auto& [name, hash] : resolved.file_hashes) fmt::print(text, "{} {}\n", name, hash);
+  return hash_of_text(text.str());
 }
 
 }  // namespace thalweg

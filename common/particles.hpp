@@ -17,6 +17,10 @@ enum class ParticleType : std::uint8_t { wall = 0, moving_wall = 1, water = 2, s
 /// What a sediment particle is doing; `none` for every other type. Part of the file format.
 enum class SedimentState : std::uint8_t { none = 0, deposit = 1, bed_load = 2, suspended = 3 };
 
+/// Name of the array (ParticleSet::scalars) with the number of a wall particle's motion, counted from 1 in the order of
+/// the case; 0 for what has none. Absent without moving walls.
+inline constexpr const char* motion_array = "Motion";
+
 /// Facts about a whole particle file, stored as FieldData.
 struct ParticleFileInfo {
   std::string case_name;

@@ -36,7 +36,7 @@ const Shape& find_container(const Case& scene) {
   for (const Shape& shape : scene.shapes) {
     if (shape.role == ShapeRole::moving_wall) {
       throw InputError(place(scene, shape) + ": shape \"" + shape.name +
-                       "\" is a moving wall, which the mesh model does not have; run this case without it");
+                       "\" is a moving wall, which the mesh model does not have; run this case with --no-foam");
     }
     check_kind(scene, shape);
     if (!is_container(shape)) continue;

@@ -37,7 +37,7 @@ void claim_column(const std::vector<PlacedShape>& shapes, std::size_t s, std::sp
       if (clears) {
         fill.claimed += label != nothing;
         label = nothing;
-      } else if (shape.is_fluid() && label != nothing && shapes[label - 1U].is_wall()) {
+      } else if (label != nothing && shape.yields_to(shapes[label - 1U])) {
         ++fill.inside_wall;
       } else {
         ++fill.claimed;
@@ -48,15 +48,18 @@ void claim_column(const std::vector<PlacedShape>& shapes, std::size_t s, std::sp
 }
 
 /// Normals and distances of one column's wall nodes, appended to `walls`; nodes too deep become core.
-void settle_column(const std::vector<PlacedShape>& shapes, const SkinSearch& skin, const Lattice& lattice,
-                   std::int64_t column, std::span<Label> labels, std::vector<WallPoint>& walls) {
+void settle_column(const std::vector<PlacedShape>& shapes, const std::vector<const SkinSearch*>& skins,
+                   const Lattice& lattice, std::int64_t column, std::span<Label> labels,
+                   std::vector<WallPoint>& walls) {
   // A wall particle exactly on the skin gets this distance, so that divisions by it stay finite.
   const double least = 1e-6 * lattice.spacing;
   double farther_than = 0;  // no node of the column before the current one was known to be nearer to the skin
+  const SkinSearch* skin = nullptr;
   for (std::size_t node = 0; node < labels.size(); ++node, farther_than -= lattice.spacing) {
     Label& label = labels[node];
     if (label == nothing || !shapes[label - 1U].is_wall()) continue;
     const PlacedShape& shape = shapes[label - 1U];
+    if (skin != skins[label - 1U]) skin = skins[label - 1U], farther_than = 0;
     // A container's layers are all kept: they are as deep as asked for by construction, deeper in corners.
     const double reach = shape.is_container() ? std::numeric_limits<double>::infinity() : shape.thickness;
     if (farther_than >= reach) {
@@ -64,7 +67,7 @@ void settle_column(const std::vector<PlacedShape>& shapes, const SkinSearch& ski
       continue;
     }
     const auto index = column * lattice.column_length() + static_cast<std::int64_t>(node);
-    const auto nearest = skin.find(lattice.position(lattice.offset(index)), std::numeric_limits<double>::infinity());
+    const auto nearest = skin->find(lattice.position(lattice.offset(index)), std::numeric_limits<double>::infinity());
     if (nearest) farther_than = nearest->distance;
     if (!nearest || nearest->distance >= reach) {
       label = solid_core;
@@ -113,7 +116,7 @@ void count_kept(const std::vector<PlacedShape>& shapes, Filling& filling) {
   }
 }
 
-void settle_walls(const std::vector<PlacedShape>& shapes, const SkinSearch& skin, Filling& filling,
+void settle_walls(const std::vector<PlacedShape>& shapes, const std::vector<const SkinSearch*>& skins, Filling& filling,
                   Progress& progress) {
   const Lattice& lattice = filling.lattice;
   const bool any = std::any_of(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return shape.is_wall(); });
@@ -125,7 +128,7 @@ void settle_walls(const std::vector<PlacedShape>& shapes, const SkinSearch& skin
   progress.stage("wall normals", slabs);
   tbb::parallel_for(std::int64_t{0}, slabs, [&](std::int64_t slab) {
     for (std::int64_t column = slab * columns_of_slab; column < (slab + 1) * columns_of_slab; ++column)
-      settle_column(shapes, skin, lattice, column, filling.column(column), walls[static_cast<std::size_t>(slab)]);
+      settle_column(shapes, skins, lattice, column, filling.column(column), walls[static_cast<std::size_t>(slab)]);
     progress.add(1);
   });
   std::size_t count = 0;

@@ -51,7 +51,8 @@ Filling claim_nodes(const std::vector<PlacedShape>& shapes, const Lattice& latti
 void count_kept(const std::vector<PlacedShape>& shapes, Filling& filling);
 
 /// Finds normal and distance of every wall node, drops the nodes of solids deeper than their wall's thickness, and
-/// counts what is left. `skin` is that of the room the walls leave to the flow.
-void settle_walls(const std::vector<PlacedShape>& shapes, const SkinSearch& skin, Filling& filling, Progress& progress);
+/// counts what is left. `skins` has for every shape the search of its skin; that of others is never asked for.
+void settle_walls(const std::vector<PlacedShape>& shapes, const std::vector<const SkinSearch*>& skins, Filling& filling,
+                  Progress& progress);
 
 }  // namespace thalweg::gencase

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "common/case_file.hpp"
 #include "common/error.hpp"
@@ -93,7 +94,16 @@ ParticleSet allocate(const Case& resolved, const std::vector<PlacedShape>& shape
     set.normal.reserve(count);
     set.scalars["WallDistance"].reserve(count);
   }
+  if (!resolved.motions.empty()) set.scalars[motion_array].reserve(count);
   return set;
+}
+
+/// Counted from 1; 0 without.
+float number_of_motion(const Case& scene, const Shape& shape) {
+  if (shape.motion.empty()) return 0;
+  const auto found = std::find_if(scene.motions.begin(), scene.motions.end(),
+                                  [&](const Motion& motion) { return motion.name == shape.motion; });
+  return static_cast<float>(found - scene.motions.begin() + 1);
 }
 
 /// One particle for every labelled node, column by column: ids follow the columns, so that neighbours in space are
@@ -105,6 +115,7 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
   const bool has_states = set.state.capacity() > 0;
   std::vector<double> pressures(static_cast<std::size_t>(lattice.column_length()));
   auto wall = filling.walls.begin();
+  std::vector<float>* motions = resolved.motions.empty() ? nullptr : &set.scalars[motion_array];
   std::vector<float>* distances = filling.walls.empty() ? nullptr : &set.scalars["WallDistance"];
   for (std::int64_t column = 0; column < lattice.columns(); ++column) {
     start.column(column, pressures);
@@ -124,6 +135,7 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
       set.mass.push_back(static_cast<float>(density * lattice.cell()));
       if (has_states)
         set.state.push_back(shape.type() == ParticleType::sediment ? SedimentState::deposit : SedimentState::none);
+      if (motions != nullptr) motions->push_back(number_of_motion(resolved, *shape.shape));
       if (distances == nullptr) continue;
       const bool is_wall = shape.is_wall();
       set.normal.push_back(is_wall ? wall->normal : Eigen::Vector3f::Zero());
@@ -145,6 +157,25 @@ std::vector<ShapeSummary> summarise(const std::vector<PlacedShape>& shapes, cons
   }
   return summaries;
 }
+
+/// Skins of walls. What stands still has one as if nothing moved, lest it had holes where something has gone; what
+/// moves together has one of its own, as it may come to face the flow anywhere.
+struct Skins {
+  std::map<std::string, FlowRoom> rooms;  // by motion
+  std::map<std::string, std::unique_ptr<SkinSearch>> searches;
+  std::vector<const SkinSearch*> of_shape;
+
+  Skins(const Case& scene, const std::vector<PlacedShape>& shapes, const Bounds& around, const Notes& notes) {
+    for (const PlacedShape& shape : shapes) {
+      const std::string& motion = shape.shape->motion;
+      if (!rooms.contains(motion)) {
+        const FlowRoom& room = rooms.emplace(motion, flow_room(shapes, motion)).first->second;
+        searches[motion] = make_flow_skin(room, around, scene.numerics.spacing, scene.info.dimension, notes);
+      }
+      of_shape.push_back(searches.at(motion).get());
+    }
+  }
+};
 
 /// Where walls and what they see lie.
 Bounds around(const Case& scene, const Lattice& lattice) {
@@ -182,8 +213,8 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
 
   const FlowRoom room = flow_room(shapes);
   Filling filling = claim_nodes(shapes, lattice, progress);
-  const auto skin = make_flow_skin(room, around(scene, lattice), scene.numerics.spacing, scene.info.dimension, notes);
-  settle_walls(shapes, *skin, filling, progress);
+  const Skins skins(scene, shapes, around(scene, lattice), notes);
+  settle_walls(shapes, skins.of_shape, filling, progress);
   check_filling(scene, shapes, room, filling);
   warn_of_filling(scene, shapes, filling, notes.warn);
   report_closure(scene, shapes, room, filling, notes);
@@ -211,6 +242,7 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
                     scene.file.string(), result.resolved.numerics.maximum_speed, wave_speed));
   result.particles = make_particles(result.resolved, shapes, filling, start, summary);
   if (scene.gencase.relaxation > 0) {
+    const auto skin = make_flow_skin(room, around(scene, lattice), scene.numerics.spacing, scene.info.dimension, notes);
     const Relaxation relaxed =
         relax(result.particles, shapes, *skin, filling, scene.gencase.relaxation, gravity, summary.sound_speed);
     notes.say(fmt::format(

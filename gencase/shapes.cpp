@@ -253,4 +253,13 @@ FlowRoom flow_room(const std::vector<PlacedShape>& shapes) {
   return room;
 }
 
+FlowRoom flow_room(const std::vector<PlacedShape>& shapes, const std::string& motion) {
+  FlowRoom room;
+  for (const PlacedShape& placed : shapes) {
+    const bool opening = placed.shape->role == ShapeRole::empty;
+    if (placed.shape->motion == motion || opening) add_to(room, placed);
+  }
+  return room;
+}
+
 }  // namespace thalweg::gencase

@@ -21,6 +21,12 @@ struct PlacedShape {
   [[nodiscard]] bool is_fluid() const { return shape->role == ShapeRole::water || shape->role == ShapeRole::sediment; }
   [[nodiscard]] bool is_wall() const { return shape->role == ShapeRole::wall || shape->role == ShapeRole::moving_wall; }
   [[nodiscard]] bool is_container() const { return room != nullptr; }
+  [[nodiscard]] bool is_moving() const { return shape->role == ShapeRole::moving_wall; }
+  /// Whether it leaves what an earlier shape has to it: fluids every wall, walls that move what stands still and would
+  /// be a hole when they are gone.
+  [[nodiscard]] bool yields_to(const PlacedShape& earlier) const {
+    return earlier.is_wall() && (is_fluid() || (is_moving() && !earlier.is_moving()));
+  }
   /// What its particles are; only for fluids and walls.
   [[nodiscard]] ParticleType type() const;
 };
@@ -36,7 +42,9 @@ int column_axis(const Case& scene);
 /// volume (surface_shapes.hpp). `scene` must outlive the result.
 std::vector<PlacedShape> place_shapes(const Case& scene, const Notes& notes = {});
 
-/// The room the walls among `shapes` leave to the flow.
+/// The room the walls among `shapes` leave to the flow at t = 0.
 FlowRoom flow_room(const std::vector<PlacedShape>& shapes);
+/// The room that only those walls leave which move as the motion of this name says; "": which stand still.
+FlowRoom flow_room(const std::vector<PlacedShape>& shapes, const std::string& motion);
 
 }  // namespace thalweg::gencase

@@ -34,6 +34,9 @@ class ValueList {
     if (dimension_ == 3) text += ", " + format_quantity(value.y(), unit);
     add(key, text + ", " + format_quantity(value.z(), unit), sentence);
   }
+  void direction(const char* key, Vec3& value, const char* sentence) {
+    add(key, fmt::format("{:g}, {:g}, {:g}", value.x(), value.y(), value.z()), sentence);
+  }
   void quantities(const char* key, std::vector<double>& values, const char* unit, double, double,
                   const char* sentence) {
     std::vector<std::string> texts;
@@ -138,6 +141,7 @@ std::vector<ConstantTable> list_constants(const Case& resolved) {
       [&] {
         tables.push_back({"shape", {}});
         for (Shape& shape : copy.shapes) tables.back().rows.push_back(shape_in_a_row(shape, dimension));
+        for (Motion& motion : copy.motions) tables.push_back({"motion." + motion.name, values_of(motion, dimension)});
       },
       [&] {
         for (auto& [name, sediment] : copy.sediments) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -47,6 +48,13 @@ int run_pipeline(const PipelineOptions& given) {
   const std::string out = (options.out.empty() ? std::filesystem::path("out") / scene.info.name : options.out).string();
   if (options.foam && !on_path("blockMesh")) {
     announce("foam: skipped, because OpenFOAM is not installed; get it with: apt-get install openfoam");
+    options.foam = false;
+  }
+
+  const bool moves = std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                                 [](const Shape& shape) { return shape.role == ShapeRole::moving_wall; });
+  if (options.foam && moves) {
+    announce("foam: skipped, because the mesh model has no moving walls");
     options.foam = false;
   }
 

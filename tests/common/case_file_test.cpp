@@ -183,13 +183,57 @@ TEST_P(ResolvedCase, ReadsBackEqual) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, ResolvedCase,
                          ::testing::Values("cases/louvain", "tests/common/good_case.toml",
-                                           "tests/common/good_case_3d.toml"));
+                                           "tests/common/good_case_3d.toml", "tests/common/good_case_moving.toml"));
 
 TEST(HashOf, FollowsValuesOnly) {
   const std::string hash = hash_of(read_case(good_case));
   EXPECT_EQ(hash.size(), 16U);
   EXPECT_EQ(hash_of(read_case(good_case, {"numerics.spacing=0.5 cm"})), hash);
   EXPECT_NE(hash_of(read_case(good_case, {"numerics.spacing=0.51 cm"})), hash);
+}
+
+TEST(HashOf, FollowsTheFilesThatShapesName) {
+  const fs::path folder = own_folder();
+  std::string text = text_of(good_case);
+  text += "\n[[shape]]\nname = \"pier\"\nkind = \"mesh\"\nrole = \"wall\"\nfile = \"pier.stl\"\n";
+  std::ofstream(folder / "case.toml") << text;
+  std::ofstream(folder / "pier.stl") << "solid one";
+  const std::string one = hash_of(read_case(folder));
+  write_case(folder / "case.resolved.toml", read_case(folder));
+  std::ofstream(folder / "pier.stl") << "solid two";
+  EXPECT_NE(hash_of(read_case(folder)), one) << "the mesh has changed";
+  EXPECT_EQ(hash_of(read_case(folder / "case.resolved.toml")), one) << "what was filled has not";
+  fs::remove(folder / "pier.stl");
+  EXPECT_EQ(hash_of(read_case(folder / "case.resolved.toml")), one);
+  fs::remove_all(folder);
+}
+
+TEST(Motion, ReadsItsTableFromAFile) {
+  const fs::path folder = own_folder();
+  std::string text = text_of(source / "tests/common/good_case_moving.toml");
+  const std::string table = "times = [\"0 s\", \"0.5 s\", \"1 s\"]\nangles = [\"0 deg\", \"10 deg\", \"-10 deg\"]\n";
+  text.replace(text.find(table), table.size(), "file = \"swing.csv\"\n");
+  std::ofstream(folder / "case.toml") << text;
+  const auto write = [&](const char* rows) { std::ofstream(folder / "swing.csv") << rows; };
+  write("time [s],angle [deg]\n0,0\n0.5,90\n1,-90\n");
+  const Case read = read_case(folder);
+  const Motion& swing = read.motions.at(2);
+  EXPECT_EQ(swing.name, "swing");
+  EXPECT_THAT(swing.times, ElementsAre(0, 0.5, 1));
+  EXPECT_DOUBLE_EQ(swing.angles.at(2), -std::numbers::pi / 2);
+
+  const auto message = [&] { return message_of(folder).substr(folder.string().size() + 1); };
+  write("time [s],angle [deg]\n0,0\n0.5,90\n0.5,-90\n");
+  EXPECT_EQ(message(), "swing.csv:4: the time is not after that of the row before; sort the rows");
+  write("time [s],angle [deg]\n0,0\n0.5,\n");
+  EXPECT_EQ(message(), "swing.csv:3: the row lacks a number or its time is negative; give both");
+  write("time [s],angle [deg]\n0,0\n");
+  EXPECT_EQ(message(), "swing.csv:1: the table has less than two rows; add some");
+  write("time [s],angle [turns]\n0,0\n1,1\n");
+  EXPECT_EQ(message(),
+            "swing.csv:1: the column \"angle [turns]\" is not in rad; head it \"angle [rad]\" and give its values in "
+            "that unit");
+  fs::remove_all(folder);
 }
 
 TEST(Sediment, MustBeOne) {

@@ -130,7 +130,7 @@ TEST(Refusal, MovingWall) {
   scene.shapes.back().line = 40;
   EXPECT_EQ(refusal(scene),
             "tank/case.toml:40: shape \"gate\" is a moving wall, which the mesh model does not have; run this case "
-            "without it");
+            "with --no-foam");
 }
 
 TEST(Refusal, KindTheMeshModelDoesNotHave) {
