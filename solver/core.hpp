@@ -15,7 +15,8 @@ inline constexpr const char* excess = "Excess";
 inline constexpr const char* listed_at = "ListedAt";      // three integers kept as doubles, exact
 inline constexpr const char* sediment = "SedimentState";  // structs Sediment and BedSurface, number by number
 inline constexpr const char* bed = "BedSurface";
-inline constexpr const char* state = "ResolvedState";  // State, and rest
+inline constexpr const char* state = "ResolvedState";   // State, and rest
+inline constexpr const char* moved_from = "MovedFrom";  // three doubles [m]
 }  // namespace checkpoint_array
 inline constexpr const char* excess_pore_pressure_array = "ExcessPorePressure";
 
@@ -33,6 +34,29 @@ void take_numbers(const ParticleSet& from, const char* name, Struct* to, std::si
   auto* numbers = reinterpret_cast<float*>(to);
   for (std::size_t i = 0; i < n * (sizeof(Struct) / sizeof(float)); ++i) {
     numbers[i] = static_cast<float>(found->second[i]);
+  }
+}
+
+/// What scenes with moving walls keep of them. Where a file does not say where walls started, they are moved back
+/// there.
+template <class Device>
+void load_motions(Particles<Device>& p, const std::vector<WallMotion>& motions, const ParticleSet& from) {
+  const std::size_t n = from.size();
+  const std::vector<float>& number = from.scalars.at(motion_array);
+  p.motion.assign(number.begin(), number.end());
+  p.moved_from.resize(n);
+  const auto known = from.doubles.find(checkpoint_array::moved_from);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Position now{{from.position[i][0], from.position[i][1], from.position[i][2]}};
+    Position& start = p.moved_from[i];
+    if (known != from.doubles.end()) {
+      for (std::size_t c = 0; c < 3; ++c) start.x[c] = known->second[3 * i + c];
+    } else if (p.motion[i] == 0) {
+      start = now;
+    } else {
+      const WallMotion& motion = motions[p.motion[i] - 1];
+      moved_point(motion.axis, -motion.at(from.info.time).place, now.x, start.x);
+    }
   }
 }
 
@@ -96,15 +120,22 @@ void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const Particl
 template <int Dim, class Device>
 class SimulationOn final : public Simulation {
  public:
-  SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from)
+  SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from,
+               const std::vector<WallMotion>& motions = {})
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
     load_particles(p_, scene_, from);
+    work_.motions = motions;
+    work_.time = from.info.time;
+    if (scene_.has_moving_walls) load_motions(p_, motions, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(listed->second);
   }
 
+  void set_time(double time) override { work_.time = time; }
+
   StepReport advance(double longest) override {
     StepResult r = thalweg::advance(on_, p_, scene_, work_, longest, timing_);
+    work_.time += r.step.dt;
     StepReport report;
     report.dt = r.step.dt;
     report.limiter = r.step.limiter;
@@ -136,6 +167,7 @@ class SimulationOn final : public Simulation {
     const double bytes = double(
         p_.record.size() * sizeof(Record) + p_.position.size() * sizeof(Position) +
         p_.count * (sizeof(float) + sizeof(std::int64_t) + 1 + sizeof(Rates) + sizeof(Place)) +
+        p_.motion.size() * sizeof(Index) + p_.moved_from.size() * sizeof(Position) +
         p_.sediment.size() * sizeof(Sediment) + p_.bed.size() * sizeof(BedSurface) +
         p_.list_entries.size() * sizeof(Index) + work_.viscous.coefficient.size() * sizeof(float) +
         work_.viscous.row.size() * sizeof(typename ViscousSystem<Device>::Row) +
@@ -163,6 +195,10 @@ class SimulationOn final : public Simulation {
     for (Index i = 0; i < p_.count; ++i) excess[i] = p_.record[i].excess;
     for (std::size_t i = 0; i < p_.listed_at.size(); ++i) {
       for (std::size_t c = 0; c < 3; ++c) listed[3 * i + c] = p_.listed_at[i].c[c];
+    }
+    if (scene_.has_moving_walls) {
+      auto& start = out.doubles[checkpoint_array::moved_from];
+      for (Index i = 0; i < p_.count; ++i) start.insert(start.end(), p_.moved_from[i].x, p_.moved_from[i].x + 3);
     }
     if (scene_.has_sediment) {
       out.doubles[checkpoint_array::sediment] = numbers_of(p_.sediment.data(), p_.count);
@@ -214,6 +250,7 @@ class SimulationOn final : public Simulation {
       auto& porosity = out.scalars["Porosity"];
       for (std::size_t i = 0; i < n; ++i) porosity.push_back(i < p_.fluid_count ? work_.mixture.pores[i].porosity : 1);
     }
+    if (scene_.has_moving_walls) out.scalars[motion_array].assign(p_.motion.begin(), p_.motion.end());
     if (scene_.seepage.pore_pressure) {
       out.scalars[excess_pore_pressure_array].assign(p_.excess_pore_pressure.begin(), p_.excess_pore_pressure.end());
     }

@@ -123,12 +123,31 @@ SeepageScene make_seepage(const Case& from, double sound_speed) {
   return out;
 }
 
-/// Box of the domain and of all particles (walls lie around the domain's fluid), with room for rounding.
+/// Whether walls move. Throws InputError where a moving wall's motion is not known.
+bool has_moving_walls(const Case& from, const ParticleSet& particles) {
+  if (count_by_type(particles)[static_cast<std::size_t>(ParticleType::moving_wall)] == 0) return false;
+  const auto numbers = particles.scalars.find(motion_array);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.type[i] != ParticleType::moving_wall) continue;
+    const float number = numbers == particles.scalars.end() ? 0 : numbers->second[i];
+    if (number >= 1 && number <= static_cast<float>(from.motions.size())) continue;
+    throw InputError(
+        fmt::format("{}: moving wall particle {} has the motion {:g} in the array Motion, and the case has "
+                    "{}; fill the scene again with gencase",
+                    from.file.string(), particles.id[i], number, from.motions.size()));
+  }
+  return true;
+}
+
+/// Box of the domain and of all particles (walls lie around the domain's fluid), with room for rounding. Walls that
+/// move are not seen beyond the domain.
 template <int Dim>
 void bounds(const Case& from, const ParticleSet& particles, Vec<Dim, double>& low, Vec<Dim, double>& high) {
   low = in_dimension<Dim>(from.domain.from);
   high = in_dimension<Dim>(from.domain.to);
-  for (const Vec3& x : particles.position) {
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.type[i] == ParticleType::moving_wall) continue;
+    const Vec3& x = particles.position[i];
     for (int k = 0; k < Dim; ++k) {
       low[k] = std::min(low[k], x[axis<Dim>(k)] - from.numerics.spacing);
       high[k] = std::max(high[k], x[axis<Dim>(k)] + from.numerics.spacing);
@@ -198,6 +217,7 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.viscosity = n.viscosity;
   s.viscous_tolerance = n.viscous_tolerance;
   s.viscous_iterations = n.viscous_iterations;
+  s.has_moving_walls = has_moving_walls(from, particles);
   s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
   if (s.has_sediment) {
     s.sediment = make_sediment(from, c);

@@ -70,6 +70,8 @@ struct Particles {
   Buffer<BedSurface> bed;              // empty unless sediment has states
   Buffer<std::uint8_t> stopping;       // scratch of passes/rest.hpp; empty unless sediment may rest
   Buffer<float> excess_pore_pressure;  // [Pa] of sediment; empty unless scene.seepage.pore_pressure
+  Buffer<Index> motion;                // number of the motion, 0: stands still; empty unless scene.has_moving_walls
+  Buffer<Position> moved_from;         // where it stood at t = 0; empty unless scene.has_moving_walls
 
   // Neighbour lists (passes/neighbours.hpp) and the places they were built for.
   Buffer<Place> listed_at;  // empty: no list yet

@@ -14,6 +14,7 @@
 #include "common/io/particle_file.hpp"
 #include "common/units.hpp"
 #include "solver/diagnosis.hpp"
+#include "solver/make_motions.hpp"
 #include "solver/make_scene.hpp"
 #include "solver/progress.hpp"
 #include "solver/run_output.hpp"
@@ -103,8 +104,8 @@ class Run {
   Run(const Case& c, const ParticleSet& start, const RunOptions& options)
       : case_(c),
         clock_{start.info.time, start.info.step},
-        simulation_(
-            make_simulation({make_scene(c, start), &start, options.threads}, options.backend, options.instruction_set)),
+        simulation_(make_simulation({make_scene(c, start), &start, options.threads, make_motions(c)}, options.backend,
+                                    options.instruction_set)),
         output_({options.folder}, info(start), clock_),
         snapshot_times_(snapshot_times(c)),
         history_interval_(c.output.history_interval > 0 ? c.output.history_interval : c.output.end / 100),
@@ -156,6 +157,7 @@ class Run {
   }
 
   void step(double longest) {
+    simulation_->set_time(clock_.time);
     const StepReport report = simulation_->advance(longest);
     if (!report.excluded.empty()) exclude(report.excluded);
     if (report.diverged) fail(report);

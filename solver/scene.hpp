@@ -99,6 +99,7 @@ struct Scene {
   bool has_sediment = false;
   bool has_states = false;  // of sediment
   bool may_rest = false;    // sediment
+  bool has_moving_walls = false;
   RestCriteria rest;
   ErosionScene<Dim> erosion;
   SedimentScene sediment;

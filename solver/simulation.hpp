@@ -41,6 +41,9 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
+  /// Physical time at which the next step starts [s], for walls that move; without it, that of the particles it was
+  /// made from and the steps since.
+  virtual void set_time(double time) = 0;
   /// One step of at most `longest` seconds.
   virtual StepReport advance(double longest) = 0;
   /// Takes out particles that left the domain in the last step, as the next step would.
@@ -61,6 +64,7 @@ struct SimulationInput {
   AnyScene scene;
   const ParticleSet* particles = nullptr;  // from gencase, or full_state() of an earlier run
   int threads = 0;                         // 0: as many as the machine has cores
+  std::vector<WallMotion> motions = {};    // of the case (make_motions.hpp)
 };
 
 /// Makes a simulation on the best device of this machine for `backend` = "auto" or "openmp", with the widest

@@ -8,6 +8,7 @@
 #include "solver/passes/integrate.hpp"
 #include "solver/passes/mixture.hpp"
 #include "solver/passes/momentum.hpp"
+#include "solver/passes/moving_walls.hpp"
 #include "solver/passes/neighbours.hpp"
 #include "solver/passes/pore_pressure.hpp"
 #include "solver/passes/pressure.hpp"
@@ -27,6 +28,9 @@ struct Workspace {
   Mixture<Device> mixture;
   PoreDiffusion<Device> pore_diffusion;
   std::int64_t list_rebuilds = 0;
+  std::vector<WallMotion> motions;
+  double time = 0;            // [s] at the start of the step
+  bool walls_moving = false;  // at the start of the last step
 };
 
 struct StepResult {
@@ -56,6 +60,15 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   using H = Heading;
   StepResult result;
   const std::int64_t lists_before = work.list_rebuilds;
+  const bool moving_walls = scene.has_moving_walls;
+  bool walls_turned = false;  // started or stopped
+  if (moving_walls) {
+    timing.time(H::move_walls, [&] {
+      const bool moving = hold_walls(on, p, scene, work.motions, work.time);
+      walls_turned = moving != work.walls_moving;
+      work.walls_moving = moving;
+    });
+  }
   timing.time(H::refresh_neighbours, [&] { result.excluded = refresh_neighbours(on, p, scene, work.list_rebuilds); });
   const bool new_lists = work.list_rebuilds != lists_before;
   const bool mixture = scene.seepage.mixture;
@@ -66,7 +79,7 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   if ((new_lists || scene.seepage.pore_pressure) && scene.has_sediment) {
     timing.time(H::weigh_sediment, [&] { weigh_sediment(on, p, scene, work.weight); });
   }
-  if (new_lists && scene.may_rest) timing.time(H::update_rest, [&] { list_active_clusters(on, p); });
+  if ((new_lists || walls_turned) && scene.may_rest) timing.time(H::update_rest, [&] { list_active_clusters(on, p); });
   timing.time(H::extrapolate_to_walls, [&] {
     if (p.any_resting) extrapolate_to_resting(on, p, scene);
     mixture ? extrapolate_mixture_to_walls(on, p, scene) : extrapolate_to_walls(on, p, scene);
@@ -84,7 +97,12 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   if (has_diverged(result)) return result;
   land_on_output(result.step, longest);
 
+  const auto move_walls_by = [&](double share) {
+    if (!moving_walls) return;
+    timing.time(H::move_walls, [&] { move_walls(on, p, scene, work.motions, work.time, result.step.dt, share); });
+  };
   timing.time(H::kick, [&] { kick(on, p, result.step.dt); });
+  if (scene.has_sediment) move_walls_by(0);  // viscosity drags at the velocity the walls go with
   if (scene.has_sediment) {
     timing.time(H::solve_viscosity, [&] {
       result.viscous = mixture ? solve_mixture_viscosity(on, p, scene, work.mixture, work.viscous,
@@ -95,11 +113,13 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   if (has_diverged(result)) return result;
   const double dt = result.step.dt;  // viscosity may have shortened it
   timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
+  move_walls_by(0.5);
   timing.time(H::compute_density_rates, [&] {
     mixture ? compute_mixture_density_rates(on, p, scene, work.mixture) : compute_density_rates(on, p, scene);
   });
   timing.time(H::update_density, [&] { update_density(on, p, dt); });
   timing.time(H::drift, [&] { drift(on, p, scene, dt / 2); });
+  move_walls_by(1);
   if (scene.seepage.pore_pressure) {
     timing.time(H::advance_pore_pressure, [&] { advance_pore_pressure(on, p, scene, work.pore_diffusion, dt); });
   }
@@ -110,7 +130,12 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
       woken = update_bed_states(on, p, scene, dt);
     });
   }
-  if (scene.may_rest) timing.time(H::update_rest, [&] { update_rest(on, p, scene, dt, woken); });
+  if (scene.may_rest) {
+    timing.time(H::update_rest, [&] {
+      if (work.walls_moving && wake_beside_moving_walls(on, p, scene)) woken = true;
+      update_rest(on, p, scene, dt, woken);
+    });
+  }
   return result;
 }
 

@@ -7,6 +7,7 @@ namespace thalweg {
 
 /// The headings of the timing report are the lines of the step (step.hpp).
 enum class Heading {
+  move_walls,
   refresh_neighbours,
   apply_equation_of_state,
   extrapolate_to_walls,
@@ -27,6 +28,7 @@ enum class Heading {
 };
 
 inline constexpr std::array<const char*, static_cast<std::size_t>(Heading::count)> heading_names = {
+    "move_walls",
     "refresh_neighbours",
     "apply_equation_of_state",
     "extrapolate_to_walls",

@@ -168,11 +168,13 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
     std::uint64_t* keys = key.data();
     Index* o = order.data();
     const Lattice<Dim> lattice = scene.lattice;
+    const Index* motion = scene.has_moving_walls ? p.motion.data() : nullptr;
     on.for_each(p.count, [=](Index i) {
       const Record& r = records[i];
       std::uint64_t k = morton_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits));
       if (r.phase == phase_wall) k |= wall_section;
-      if (r.volume == 0) k |= excluded_section;
+      const bool parked = motion != nullptr && motion[i] != 0;  // a wall without volume (passes/moving_walls.hpp)
+      if (r.volume == 0 && !parked) k |= excluded_section;
       keys[i] = k;
       o[i] = i;
     });
@@ -191,6 +193,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
   if (scene.has_sediment) scratch_reorder(p.sediment);
   if (scene.has_states) scratch_reorder(p.bed);
   if (scene.seepage.pore_pressure) scratch_reorder(p.excess_pore_pressure);
+  if (scene.has_moving_walls) scratch_reorder(p.motion), scratch_reorder(p.moved_from);
 
   const Index wall_begin = static_cast<Index>(std::lower_bound(key.begin(), key.end(), wall_section) - key.begin());
   const Index end = static_cast<Index>(std::lower_bound(key.begin(), key.end(), excluded_section) - key.begin());
@@ -210,6 +213,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
     if (scene.has_sediment) p.sediment.resize(end);
     if (scene.has_states) p.bed.resize(end);
     if (scene.seepage.pore_pressure) p.excess_pore_pressure.resize(end);
+    if (scene.has_moving_walls) p.motion.resize(end), p.moved_from.resize(end);
   }
   p.count = end;
   p.fluid_count = wall_begin;
@@ -367,10 +371,11 @@ float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& sc
   const Record* records = p.record.data();
   const Place* listed = p.listed_at.data();
   const Vec<Dim, float> quantum = scene.lattice.quantum;
+  const Index fluid = p.fluid_count;
   return on.reduce(
-      p.fluid_count, 0.0F,
+      scene.has_moving_walls ? p.count : fluid, 0.0F,
       [=](Index i) {
-        if (records[i].volume == 0) return INFINITY;
+        if (records[i].volume == 0 && i < fluid) return INFINITY;
         float d2 = 0;
         for (int k = 0; k < Dim; ++k) {
           const int c = axis<Dim>(k);

@@ -15,6 +15,30 @@ namespace thalweg {
 
 namespace rest {
 
+/// A wall that moves lets nothing beside it rest.
+HOST_DEVICE inline bool is_moving_wall(const Record& r) {
+  const bool stands = r.velocity[0] == 0 && r.velocity[1] == 0 && r.velocity[2] == 0;
+  return r.phase == phase_wall && r.volume != 0 && !stands;
+}
+
+/// A cluster's list is that of four particles, which may lie apart.
+template <int Dim>
+HOST_DEVICE inline bool in_reach(const Scene<Dim>& scene, const Record& a, const Record& b) {
+  float r2 = 0;
+  for (int k = 0; k < Dim; ++k) {
+    const float d = scene.distance(k, a.place[axis<Dim>(k)], b.place[axis<Dim>(k)]);
+    r2 += d * d;
+  }
+  return r2 < scene.support() * scene.support();
+}
+
+/// Wakes a particle at rest.
+HOST_DEVICE inline void wake(Record& r, Sediment& s) {
+  r.state = state_deposit;
+  s.calm = 0;
+  for (float& a : s.viscous_acceleration) a = 0;
+}
+
 /// Counts of what a pass changed.
 struct Changes {
   Index woken = 0;
@@ -36,9 +60,7 @@ struct CalmPass {
     const bool steep = s.bed_slope > repose_tangent;
     if (is_resting(r)) {
       if (!steep && s.strain_rate < criteria.wake_shear_rate) return {};
-      r.state = state_deposit;
-      s.calm = 0;
-      for (float& a : s.viscous_acceleration) a = 0;
+      wake(r, s);
       return {1, 0};
     }
     float u2 = 0;
@@ -66,8 +88,9 @@ struct MayStop {
     bool held = false;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || !in_reach(i, j)) continue;
+      if (j == list.count || !in_reach(scene, records[i], records[j])) continue;
       const Record& b = records[j];
+      if (is_moving_wall(b)) return false;
       if (b.phase == phase_wall || is_resting(b)) {
         held = true;
       } else if (b.phase == phase_sediment && sediment[j].calm < time) {
@@ -75,16 +98,6 @@ struct MayStop {
       }
     }
     return held;
-  }
-
-  /// A cluster's list is that of four particles, which may lie apart.
-  HOST_DEVICE bool in_reach(Index i, Index j) const {
-    float r2 = 0;
-    for (int k = 0; k < Dim; ++k) {
-      const float d = scene.distance(k, records[i].place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
-      r2 += d * d;
-    }
-    return r2 < scene.support() * scene.support();
   }
 };
 
@@ -104,7 +117,7 @@ void list_active_clusters(Device& on, Particles<Device>& p) {
   const auto active_in_reach = [=](Index c) {
     for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
       const Record& b = records[list.entries[e]];
-      if (b.phase != phase_wall && !is_resting(b)) return true;
+      if ((b.phase != phase_wall && !is_resting(b)) || rest::is_moving_wall(b)) return true;
     }
     return false;
   };
@@ -125,6 +138,36 @@ void list_active_clusters(Device& on, Particles<Device>& p) {
          [=](Index c) { return resting_members(c) == list.last(c) - list.first(c) && active_in_reach(c); });
   choose(walls, p.clusters_of_walls_active, active_in_reach);
   p.any_resting = p.clusters_active.size() < p.clusters_with_sediment.size() || p.clusters_part_resting.size() > 0;
+}
+
+/// Wakes the sediment in reach of walls that move; true if there was some.
+template <int Dim, class Device>
+bool wake_beside_moving_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  Record* records = p.record.data();
+  Sediment* sediment = p.sediment.data();
+  const ClusterList list = p.list();
+  bool any = false;
+  for (const ClusterRange range : {p.shore(), p.part_resting()}) {
+    any = on.reduce(
+              range.count, false,
+              [=](Index n) {
+                const Index c = range[n];
+                bool woken = false;
+                for (Index i = list.first(c); i < list.last(c); ++i) {
+                  if (!is_resting(records[i])) continue;
+                  for (Index e = list.begin[c]; e < list.begin[c + 1] && is_resting(records[i]); ++e) {
+                    const Record& b = records[list.entries[e]];
+                    if (!rest::is_moving_wall(b) || !rest::in_reach(scene, records[i], b)) continue;
+                    rest::wake(records[i], sediment[i]);
+                    woken = true;
+                  }
+                }
+                return woken;
+              },
+              [](bool a, bool b) { return a || b; }) ||
+          any;
+  }
+  return any;
 }
 
 /// Wakes and stops sediment by what the last step of dt seconds found; `already_woken` that something else has woken

@@ -68,6 +68,29 @@ Extremes find_extremes(Device& on, const Particles<Device>& p) {
       });
 }
 
+/// Squares of the largest speed and acceleration of walls that move.
+template <class Device>
+Extremes find_wall_extremes(Device& on, const Particles<Device>& p) {
+  const Record* records = p.record.data() + p.fluid_count;
+  const Rates* rates = p.rates.data() + p.fluid_count;
+  return on.reduce(
+      p.count - p.fluid_count, Extremes{},
+      [=](Index i) {
+        Extremes e;
+        if (records[i].volume == 0) return e;
+        for (int c = 0; c < 3; ++c) {
+          e.speed2 += records[i].velocity[c] * records[i].velocity[c];
+          e.acceleration2 += rates[i].acceleration[c] * rates[i].acceleration[c];
+        }
+        return e;
+      },
+      [](Extremes a, const Extremes& b) {
+        a.speed2 = a.speed2 > b.speed2 ? a.speed2 : b.speed2;
+        a.acceleration2 = a.acceleration2 > b.acceleration2 ? a.acceleration2 : b.acceleration2;
+        return a;
+      });
+}
+
 /// Largest kinematic viscosity of the sediment and between it and the water [m^2/s], for speed differences up to u
 /// [m/s].
 template <int Dim, class Device>
@@ -90,7 +113,7 @@ double largest_sediment_viscosity(Device& on, const Particles<Device>& p, const 
 
 /// The largest stable step (Monaghan 1992; Morris et al. 1997), C = scene.cfl:
 ///   sound      C h / (c + |u|max)
-///   force      C sqrt(h / |a|max)
+///   force      C sqrt(h / |a|max)            walls that move count in both
 ///   viscosity  0.125 h^2/nu of what is treated explicitly: the water's own viscosity, the sediment's where it is not
 ///              implicit or capped
 template <int Dim, class Device>
@@ -98,8 +121,9 @@ TimeStep stable_time_step(Device& on, const Particles<Device>& p, const Scene<Di
   TimeStep step;
   step.extremes = find_extremes(on, p);
   const double h = scene.smoothing_length;
-  const double u = std::sqrt(double(step.extremes.speed2));
-  const double a = std::sqrt(double(step.extremes.acceleration2));
+  const Extremes walls = scene.has_moving_walls ? find_wall_extremes(on, p) : Extremes{};
+  const double u = std::sqrt(double(std::fmax(step.extremes.speed2, walls.speed2)));
+  const double a = std::sqrt(double(std::fmax(step.extremes.acceleration2, walls.acceleration2)));
   step.dt = scene.cfl * h / (double(scene.sound_speed) * scene.seepage.fast_wave + u);
   const double force = a > 0 ? scene.cfl * std::sqrt(h / a) : step.dt;
   if (force < step.dt) step.dt = force, step.limiter = Limiter::force;

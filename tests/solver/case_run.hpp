@@ -41,7 +41,11 @@ class CaseRun {
   CaseRun& operator=(const CaseRun&) = delete;
 
   void fill(const std::string& case_name, const std::vector<std::string>& overrides) {
-    const auto path = std::filesystem::path(THALWEG_SOURCE_DIR) / "cases" / case_name;
+    fill_from("cases/" + case_name, overrides);
+  }
+  /// `path` from the root of the sources.
+  void fill_from(const std::string& path_in_sources, const std::vector<std::string>& overrides) {
+    const auto path = std::filesystem::path(THALWEG_SOURCE_DIR) / path_in_sources;
     gencase::Generated scene = gencase::generate(read_case(path, overrides));
     write_case(folder_.resolved_case(), scene.resolved);
     write_particles(folder_.particles(), scene.particles, PositionPrecision::double_precision);
