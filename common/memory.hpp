@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace thalweg {
@@ -14,8 +15,9 @@ struct MemoryEstimate {
 
 MemoryEstimate estimate_memory(double particles, int dimension);
 
-/// Memory of this machine [bytes].
-double machine_memory();
+/// Memory a program can still take [bytes]: what the kernel says is available (MemAvailable), or what is left under the
+/// lowest limit of the control groups this process is in, page cache not counted. `root` is for tests.
+double available_memory(const std::filesystem::path& root = "/");
 
 /// "1.5 GB" (powers of 1000).
 std::string format_bytes(double bytes);

@@ -1,6 +1,9 @@
 #include "gencase/checks.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
 
 #include "common/error.hpp"
 #include "common/units.hpp"
@@ -69,18 +72,35 @@ struct Offence {
   void add(const Vec3& position) {
     if (count++ == 0) first = position;
   }
+  void add(const Offence& later) {
+    if (count == 0) first = later.first;
+    count += later.count;
+  }
 };
 
 void check_places(const Case& scene, const std::vector<PlacedShape>& shapes, const FlowRoom& room,
                   const Filling& filling) {
-  std::vector<Offence> outside_domain(shapes.size());
-  std::vector<Offence> outside_rooms(shapes.size());
-  for (std::int64_t node = 0; node < filling.lattice.nodes(); ++node) {
-    const Label label = filling.label[static_cast<std::size_t>(node)];
-    if (label == nothing || label == solid_core) continue;
-    const Vec3 position = filling.lattice.position(filling.lattice.offset(node));
-    if (!inside_domain(scene, position)) outside_domain[label - 1U].add(position);
-    if (shapes[label - 1U].is_fluid() && !room.inside_rooms(position)) outside_rooms[label - 1U].add(position);
+  using Offences = std::vector<Offence>;  // per shape
+  const Lattice& lattice = filling.lattice;
+  const std::int64_t slabs = lattice.count[lattice.axes[0]];
+  const std::int64_t nodes_of_slab = lattice.nodes() / slabs;
+  std::vector<std::array<Offences, 2>> found(static_cast<std::size_t>(slabs));
+  tbb::parallel_for(std::int64_t{0}, slabs, [&](std::int64_t slab) {
+    auto& [domain, rooms] = found[static_cast<std::size_t>(slab)];
+    domain.resize(shapes.size());
+    rooms.resize(shapes.size());
+    for (std::int64_t node = slab * nodes_of_slab; node < (slab + 1) * nodes_of_slab; ++node) {
+      const Label label = filling.label[static_cast<std::size_t>(node)];
+      if (label == nothing || label == solid_core) continue;
+      const Vec3 position = lattice.position(lattice.offset(node));
+      if (!inside_domain(scene, position)) domain[label - 1U].add(position);
+      if (shapes[label - 1U].is_fluid() && !room.inside_rooms(position)) rooms[label - 1U].add(position);
+    }
+  });
+  Offences outside_domain(shapes.size());
+  Offences outside_rooms(shapes.size());
+  for (const auto& [domain, rooms] : found) {
+    for (std::size_t s = 0; s < shapes.size(); ++s) outside_domain[s].add(domain[s]), outside_rooms[s].add(rooms[s]);
   }
   const int dimension = scene.info.dimension;
   for (std::size_t s = 0; s < shapes.size(); ++s) {

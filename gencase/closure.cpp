@@ -13,20 +13,26 @@ class Flood {
     up_ = lattice_.axes[2];
     rises_ = scene.domain.gravity[up_] <= 0;
     top_ = rises_ ? -1 : lattice_.count[up_];
-    for (std::int64_t node = 0; node < lattice_.nodes(); ++node) {
-      if (!is_fluid(node)) continue;
-      const std::int64_t height = lattice_.offset(node)[up_];
-      top_ = rises_ ? std::max(top_, height) : std::min(top_, height);
-    }
     // Which way the flood came: one of six directions plus one; 0: dry; 7: a fluid particle.
     came_.assign(static_cast<std::size_t>(lattice_.nodes()), 0);
-  }
-
-  std::optional<Leak> run() {
     for (std::int64_t node = 0; node < lattice_.nodes(); ++node) {
       if (!is_fluid(node)) continue;
       came_[static_cast<std::size_t>(node)] = source;
-      front_.push_back(node);
+      const std::int64_t height = node % lattice_.column_length();
+      top_ = rises_ ? std::max(top_, height) : std::min(top_, height);
+    }
+  }
+
+  std::optional<Leak> run() {
+    for (std::int64_t column = 0; column < lattice_.columns(); ++column) {
+      const std::int64_t first = column * lattice_.column_length();
+      Index3 at = lattice_.offset(first);
+      for (at[up_] = 0; at[up_] < lattice_.column_length(); ++at[up_]) {
+        const std::int64_t node = first + at[up_];
+        if (came_[static_cast<std::size_t>(node)] != source) continue;
+        for (unsigned char direction = 0; direction < 6; ++direction)
+          if (auto leak = step(node, at, direction)) return leak;
+      }
     }
     for (; !front_.empty(); front_.pop_front()) {
       const std::int64_t node = front_.front();
@@ -63,10 +69,10 @@ class Flood {
     if (lattice_.dimension == 2 && axis == 1) return std::nullopt;
     const Index3 to = moved(at, direction);
     if (axis == up_ && (rises_ ? to[up_] > top_ : to[up_] < top_)) return std::nullopt;
-    const Vec3 place = lattice_.position(to);
     const bool left_lattice = to[axis] < 0 || to[axis] >= lattice_.count[axis];
     if (!left_lattice && (came_[static_cast<std::size_t>(lattice_.flat(to))] != 0 || is_wall(lattice_.flat(to))))
       return std::nullopt;
+    const Vec3 place = lattice_.position(to);
     const bool left_domain = place[axis] < scene_.domain.from[axis] || place[axis] > scene_.domain.to[axis];
     if (left_domain && is_periodic(axis)) return std::nullopt;
     const bool left = left_lattice || left_domain;

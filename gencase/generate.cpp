@@ -29,7 +29,7 @@ constexpr double nodes_of_probe = 1e6;
 [[noreturn]] void refuse_size(const Case& scene, double particles, double needed, double limit) {
   const double fits = spacing_that_fits(scene.numerics.spacing, needed, limit, scene.info.dimension);
   throw InputError(
-      fmt::format("{}: {:.3g} particles at a spacing of {} need {} of memory and this machine has {}; "
+      fmt::format("{}: {:.3g} particles at a spacing of {} need {} of memory and {} are available; "
                   "raise numerics.spacing to {} or more",
                   scene.file.string(), particles, format_quantity(scene.numerics.spacing, "m"), format_bytes(needed),
                   format_bytes(limit), format_quantity(fits, "m")));

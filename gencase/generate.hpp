@@ -38,7 +38,7 @@ struct Generated {
 };
 
 struct GenerateOptions {
-  double memory_limit = machine_memory();  // [bytes]
+  double memory_limit = available_memory();  // [bytes]
   Notes notes;
   Progress::Show progress;  // draws how far a long filling is
 };

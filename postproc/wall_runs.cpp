@@ -32,6 +32,10 @@ WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
   }
   if (columns.empty()) return runs;
 
+  // A lifted gate does not make the flume's walls low: what moves bounds the flow only where nothing stands still.
+  const bool any_fixed =
+      std::find(particles.type.begin(), particles.type.end(), ParticleType::wall) != particles.type.end();
+  const auto bounds_flow = [&](std::size_t i) { return !any_fixed || particles.type[i] == ParticleType::wall; };
   double highest = -std::numeric_limits<double>::infinity();
   for (auto& [place, column] : columns) {
     std::vector<std::size_t>& members = column.particles;
@@ -44,7 +48,7 @@ WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
       const double top = height(members[k]) + spacing / 2;
       for (std::size_t m = first; m <= k; ++m) runs.top[members[m]] = top;
       if (first == 0) column.lowest_top = top;
-      highest = std::max(highest, top);
+      if (bounds_flow(members[k])) highest = std::max(highest, top);
       first = k + 1;
     }
   }

@@ -93,7 +93,7 @@ TEST(BadInput, MoreThanTheMachinesMemory) {
   Case scene = pool_in_tank();
   // 238 particles of 620 bytes; 1 cm * sqrt(147560 / 40000) = 1.92 cm.
   EXPECT_EQ(refusal(scene, 40000),
-            "scene.toml: 238 particles at a spacing of 1 cm need 148 kB of memory and this machine has 40 kB; raise "
+            "scene.toml: 238 particles at a spacing of 1 cm need 148 kB of memory and 40 kB are available; raise "
             "numerics.spacing to 2 cm or more");
   scene.numerics.spacing = 1e-6;  // 1e10 particles: refused after a coarse trial, in moments; 1 um * sqrt(6200) = 79 um
   EXPECT_THAT(refusal(scene, 1e9), EndsWith("this machine has 1 GB; raise numerics.spacing to 79 um or more"));

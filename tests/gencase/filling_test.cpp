@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "tests/gencase/scene.hpp"
@@ -168,6 +170,60 @@ TEST(Filling, MovingWallsKeepTheirType) {
   add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(0.2, 0, 0.1));
   add_box(scene, "gate", ShapeRole::moving_wall, Vec3(0.2, 0, 0), Vec3(0.22, 0, 0.1));
   EXPECT_EQ(count(generate(scene).particles, ParticleType::moving_wall), 2 * 10);
+}
+
+/// A tank with a step on its floor and a gate from the step up to the rim, water on one side of it.
+Case scene_with_gate(int dimension, double spacing) {
+  Case scene = empty_scene(dimension, spacing);
+  add_tank(scene, Vec3(0, 0, 0), Vec3(0.6, 0.2, 0.2));
+  add_box(scene, "step", ShapeRole::wall, Vec3(0.2, 0, 0), Vec3(0.6, 0.2, 0.1));
+  add_box(scene, "gate", ShapeRole::moving_wall, Vec3(0.2, 0, 0.05), Vec3(0.4, 0.2, 0.2)).motion = "lift";
+  add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(0.2, 0.2, 0.2));
+  for (const char* name : {"other", "lift"}) {
+    scene.motions.emplace_back().name = name;
+    scene.motions.back().kind = MotionKind::gate_lift;
+    scene.motions.back().direction = Vec3::UnitZ();
+    scene.motions.back().speed = 1;
+  }
+  return scene;
+}
+
+TEST(Filling, WhatStandsStillHasNoHoleWhereAGateHasGone) {
+  for (const int dimension : {2, 3}) {
+    const double dp = 0.02;
+    const Case with_gate = scene_with_gate(dimension, dp);
+    Case without = with_gate;
+    without.shapes.erase(without.shapes.begin() + 2);
+    const auto walls_of = [](const ParticleSet& set) {
+      std::map<std::array<long, 3>, Eigen::Vector3f> walls;
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        const Vec3 n = (set.position[i] / 0.01).array().round();
+        if (set.type[i] == ParticleType::wall)
+          walls[{static_cast<long>(n.x()), static_cast<long>(n.y()), static_cast<long>(n.z())}] = set.normal[i];
+      }
+      return walls;
+    };
+    EXPECT_EQ(walls_of(generate(with_gate).particles), walls_of(generate(without).particles)) << dimension;
+  }
+}
+
+TEST(Filling, AGateKnowsItsMotionAndYieldsToFixedWalls) {
+  const ParticleSet set = generate(scene_with_gate(2, 0.02)).particles;
+  std::int64_t gate = 0;
+  double lowest = 1;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const bool moves = set.type[i] == ParticleType::moving_wall;
+    EXPECT_EQ(set.scalars.at(motion_array)[i], moves ? 2 : 0);
+    if (!moves) continue;
+    ++gate;
+    lowest = std::min(lowest, set.position[i].z());
+    // Its skin is all of its own surface, also the foot that stands on the step.
+    const Vec3 to_skin = set.position[i] + double(set.scalars.at("WallDistance")[i]) * set.normal[i].cast<double>();
+    const Vec3 from_edge = (to_skin - Vec3(0.3, 0, 0.125)).cwiseAbs() - Vec3(0.1, 1, 0.075);
+    EXPECT_NEAR(std::max(from_edge.x(), from_edge.z()), 0, 1e-6);
+  }
+  EXPECT_NEAR(lowest, 0.11, 1e-12) << "on the step, not in it";
+  EXPECT_GT(gate, 0);
 }
 
 TEST(Filling, FacesOffTheLatticeAreNamed) {

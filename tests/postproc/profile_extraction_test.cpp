@@ -240,6 +240,20 @@ TEST(WaterFront, OfAMeasurementNeedsADryColumnBehindIt) {
   EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1, MissingColumn::unknown), 1 + (0.3 - 0.1) / 0.3);
 }
 
+TEST(ExtractProfile, TakesNoNoticeOfAGateLiftedAboveTheFlume) {
+  Flume flume;
+  flume.begin();
+  flume.add_walls();
+  flume.fill(ParticleType::water, 0, 1, flat, [](double) { return 0.16; });
+  const ExtractedProfile without = extract_profile(flume.set, {});
+  for (double x = 0.5025; x < 0.52; x += flume.spacing) {
+    for (double z = 0.3025; z < 0.6; z += flume.spacing) flume.add(ParticleType::moving_wall, {x, 0, z});
+  }
+  const ExtractedProfile with_gate = extract_profile(flume.set, {});
+  EXPECT_EQ(with_gate.profile.x, without.profile.x);
+  EXPECT_EQ(with_gate.profile.free_surface, without.profile.free_surface);
+}
+
 TEST(ExtractProfile, MovingBedIsTheEdgeOfWhatRests) {
   Flume flume;
   flume.begin();
