@@ -1,7 +1,10 @@
 #include "gencase/closure.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <deque>
+#include <vector>
 
 namespace thalweg::gencase {
 namespace {
@@ -24,16 +27,10 @@ class Flood {
   }
 
   std::optional<Leak> run() {
-    for (std::int64_t column = 0; column < lattice_.columns(); ++column) {
-      const std::int64_t first = column * lattice_.column_length();
-      Index3 at = lattice_.offset(first);
-      for (at[up_] = 0; at[up_] < lattice_.column_length(); ++at[up_]) {
-        const std::int64_t node = first + at[up_];
-        if (came_[static_cast<std::size_t>(node)] != source) continue;
+    for (const std::vector<std::int64_t>& slab : find_shore())
+      for (const std::int64_t node : slab)
         for (unsigned char direction = 0; direction < 6; ++direction)
-          if (auto leak = step(node, at, direction)) return leak;
-      }
-    }
+          if (auto leak = step(node, lattice_.offset(node), direction)) return leak;
     for (; !front_.empty(); front_.pop_front()) {
       const std::int64_t node = front_.front();
       const Index3 at = lattice_.offset(node);
@@ -45,6 +42,35 @@ class Flood {
 
  private:
   static constexpr unsigned char source = 7;
+
+  /// Fluid nodes beside something that is neither fluid nor wall, in their order, slab by slab.
+  [[nodiscard]] std::vector<std::vector<std::int64_t>> find_shore() const {
+    const std::int64_t length = lattice_.column_length();
+    const std::int64_t columns_of_slab = lattice_.count[lattice_.axes[1]];
+    std::vector<std::vector<std::int64_t>> shore(static_cast<std::size_t>(lattice_.count[lattice_.axes[0]]));
+    tbb::parallel_for(std::size_t{0}, shore.size(), [&](std::size_t slab) {
+      const std::int64_t begin = static_cast<std::int64_t>(slab) * columns_of_slab;
+      for (std::int64_t column = begin; column < begin + columns_of_slab; ++column) {
+        Index3 at = lattice_.offset(column * length);
+        for (at[up_] = 0; at[up_] < length; ++at[up_]) {
+          const std::int64_t node = column * length + at[up_];
+          if (came_[static_cast<std::size_t>(node)] == source && is_on_shore(node, at)) shore[slab].push_back(node);
+        }
+      }
+    });
+    return shore;
+  }
+  [[nodiscard]] bool is_on_shore(std::int64_t node, const Index3& at) const {
+    std::int64_t stride = 1;
+    for (int place = 2; place >= 0; stride *= lattice_.count[lattice_.axes[place--]]) {
+      const int axis = lattice_.axes[place];
+      if (lattice_.dimension == 2 && axis == 1) continue;
+      if (at[axis] == 0 || at[axis] + 1 == lattice_.count[axis]) return true;
+      for (const std::int64_t beside : {node - stride, node + stride})
+        if (came_[static_cast<std::size_t>(beside)] == 0 && !is_wall(beside)) return true;
+    }
+    return false;
+  }
 
   [[nodiscard]] bool is_fluid(std::int64_t node) const {
     const Label label = filling_.label[static_cast<std::size_t>(node)];

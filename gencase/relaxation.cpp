@@ -26,6 +26,7 @@ class Shifting {
   Relaxation run(int sweeps, double gravity, double sound_speed) {
     Relaxation result;
     result.particles = static_cast<std::int64_t>(movable_.size());
+    step_back_at_surface(result, gravity, sound_speed);
     if (movable_.empty()) return result;
     const std::vector<Vec3> start = places();
     for (const std::size_t i : movable_) result.too_near += is_too_near(particles_.position[i]);
@@ -48,6 +49,19 @@ class Shifting {
   }
 
  private:
+  /// Where a wall comes out of the fluid a kernel sum tells nothing of how even it is: fluid there keeps its distance
+  /// from the wall and does no more.
+  void step_back_at_surface(Relaxation& result, double gravity, double sound_speed) {
+    for (const std::size_t i : at_surface_) {
+      const Vec3 way = stepped_back(particles_.position[i]) - particles_.position[i];
+      if (way.isZero(0)) continue;
+      ++result.too_near;
+      result.farthest = std::max(result.farthest, way.norm());
+      particles_.position[i] += way;
+      weigh_anew(i, gravity * way[lattice_.axes[2]], sound_speed);
+    }
+  }
+
   /// Hydrostatic pressure at the new place; `potential` [m^2/s^2] gained against gravity, negative upward.
   void weigh_anew(std::size_t i, double potential, double sound_speed) {
     const double rest = shapes_[filling_.label[static_cast<std::size_t>(node_of_[i])] - 1U].density_at_rest;
@@ -87,7 +101,7 @@ class Shifting {
     for (int x = -reach; x <= reach; ++x)
       for (int y = -across; y <= across; ++y)
         for (int z = -reach; z <= reach; ++z)
-          if (x != 0 || y != 0 || z != 0) offsets_.push_back({x, y, z});
+          if (const int r2 = x * x + y * y + z * z; r2 > 0 && r2 <= reach * reach) offsets_.push_back({x, y, z});
     support_ = 2 * h;
   }
 
@@ -111,7 +125,7 @@ class Shifting {
         sees_surface = sees_surface || label == nothing;
         sees_wall = sees_wall || (label != nothing && label != solid_core && shapes_[label - 1U].is_wall());
       }
-      if (sees_wall && !sees_surface) movable_.push_back(i);
+      if (sees_wall) (sees_surface ? at_surface_ : movable_).push_back(i);
     }
     gradients_.resize(movable_.size());
   }
@@ -173,7 +187,8 @@ class Shifting {
   std::vector<Index3> offsets_;
   double support_ = 0;  // [m]
   std::vector<std::size_t> movable_;
-  std::vector<Vec3> gradients_;  // of movable particles
+  std::vector<std::size_t> at_surface_;  // beside a wall and the free surface
+  std::vector<Vec3> gradients_;          // of movable particles
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ struct Relaxation {
 /// at once, but the walls' true skin cuts it anywhere: particles nearer to it than half a spacing step back to half a
 /// spacing, then those whose kernel meets walls and no free surface shift down the gradient of the kernel sum (particle
 /// shifting, Lind et al. 2012, J. Comput. Phys. 231, 1499-1523), never nearer to the skin and at most a spacing in all.
+/// Those that see walls and the free surface step back only.
 /// Ends after `sweeps` or when a sweep gains less than a thousandth. Beside flat walls that the lattice fits nothing
 /// moves. Pressures, densities and masses follow the new heights: `gravity` [m/s^2] along the lattice's columns,
 /// `sound_speed` [m/s].

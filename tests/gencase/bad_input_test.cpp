@@ -96,7 +96,7 @@ TEST(BadInput, MoreThanTheMachinesMemory) {
             "scene.toml: 238 particles at a spacing of 1 cm need 148 kB of memory and 40 kB are available; raise "
             "numerics.spacing to 2 cm or more");
   scene.numerics.spacing = 1e-6;  // 1e10 particles: refused after a coarse trial, in moments; 1 um * sqrt(6200) = 79 um
-  EXPECT_THAT(refusal(scene, 1e9), EndsWith("this machine has 1 GB; raise numerics.spacing to 79 um or more"));
+  EXPECT_THAT(refusal(scene, 1e9), EndsWith("1 GB are available; raise numerics.spacing to 79 um or more"));
 }
 
 TEST(BadInput, LevelWithoutAContainer) {

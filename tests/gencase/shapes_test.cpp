@@ -286,6 +286,64 @@ TEST(Relaxation, EvensOutTheFluidBesideACurvedWall) {
   }
 }
 
+/// A ball, or a pier through the floor, in a tank full of water.
+Case round_wall_in_tank(ShapeKind kind, const Vec3& center, double radius) {
+  Case scene = empty_scene(3, 0.01);
+  add_tank(scene, Vec3(0, 0, 0), Vec3(0.22, 0.22, 0.22));
+  if (kind == ShapeKind::sphere) {
+    add_ball(scene, "ball", ShapeRole::wall, center, radius);
+  } else {
+    add_cylinder(scene, "pier", ShapeRole::wall, Vec3(center.x(), center.y(), -0.05), Vec3(center.x(), center.y(), 0.3),
+                 radius);
+  }
+  add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(0.22, 0.22, 0.22));
+  return scene;
+}
+
+TEST(Relaxation, EvensOutTheFluidBesideABallAndAPierInSpace) {
+  const Vec3 center(0.1113, 0.1087, 0.1027);
+  const double radius = 0.04;
+  for (const ShapeKind kind : {ShapeKind::sphere, ShapeKind::cylinder}) {
+    Case scene = round_wall_in_tank(kind, center, radius);
+    const ParticleSet lattice = generate(scene).particles;
+    scene.gencase.relaxation = 60;
+    std::string said;
+    GenerateOptions options;
+    options.notes.say = [&](const std::string& line) { said += line + "\n"; };
+    const ParticleSet relaxed = generate(scene, options).particles;
+    int sweeps = 0;
+    double before = 0;
+    double after = 0;
+    ASSERT_NE(said.find("relaxation: "), std::string::npos) << said;
+    ASSERT_EQ(std::sscanf(said.c_str() + said.find("relaxation: "),
+                          "relaxation: %d sweeps over %*d particles beside walls; unevenness %lf before, %lf after",
+                          &sweeps, &before, &after),
+              3)
+        << said;
+    EXPECT_LE(sweeps, 60);
+    EXPECT_LT(after, 0.5 * before) << said;
+    ASSERT_EQ(relaxed.size(), lattice.size());
+    int stepped_back = 0;
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+      const double moved = (relaxed.position[i] - lattice.position[i]).norm();
+      EXPECT_LE(moved, 0.01 + 1e-12);
+      if (relaxed.type[i] != ParticleType::water) {
+        EXPECT_EQ(moved, 0);
+        continue;
+      }
+      const auto from_wall = [&](Vec3 arm) {
+        if (kind == ShapeKind::cylinder) arm.z() = 0;
+        return arm.norm() - radius;
+      };
+      EXPECT_GT(from_wall(relaxed.position[i] - center), 0.00499);
+      if (from_wall(lattice.position[i] - center) < 0.0049) ++stepped_back;
+      const double way = relaxed.position[i].z() - lattice.position[i].z();
+      EXPECT_NEAR(relaxed.pressure[i] - lattice.pressure[i], -9810 * way, 0.01);
+    }
+    EXPECT_GT(stepped_back, 20) << "on the lattice some stand nearer than half a spacing";
+  }
+}
+
 TEST(Anchor, LatticeFollowsTheCase) {
   Case scene = empty_scene(2, 0.01);
   add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(0.1, 0, 0.1));
