@@ -168,7 +168,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
     std::uint64_t* keys = key.data();
     Index* o = order.data();
     const Lattice<Dim> lattice = scene.lattice;
-    on.for_each(p.count, [=](Index i) {
+    on.for_each(p.count, [=] HOST_DEVICE(Index i) {
       const Record& r = records[i];
       std::uint64_t k = morton_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits));
       if (r.phase == phase_wall) k |= wall_section;
@@ -236,13 +236,13 @@ Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scen
   for (int k = 0; k < Dim; ++k) box.low[k] = INT64_MAX, box.high[k] = -1;
   box = on.reduce(
       p.count, box,
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         Box b{};
         const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
         for (int k = 0; k < Dim; ++k) b.low[k] = b.high[k] = cell[k];
         return b;
       },
-      [](Box a, const Box& b) {
+      [] HOST_DEVICE(Box a, const Box& b) {
         for (int k = 0; k < Dim; ++k) {
           a.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
           a.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
@@ -265,13 +265,13 @@ Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scen
   Index* ends[2] = {cells.end[0].data(), cells.end[1].data()};
   const Index fluid = p.fluid_count;
   const Index count = p.count;
-  const auto number = [=](Index i) {
+  const auto number = [=] HOST_DEVICE(Index i) {
     const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
     Vec<Dim, std::int64_t> c{};
     for (int k = 0; k < Dim; ++k) c[k] = cell[k];
     return table.number(c);
   };
-  on.for_each(count, [=](Index i) {
+  on.for_each(count, [=] HOST_DEVICE(Index i) {
     const int s = i < fluid ? 0 : 1;
     const std::int64_t c = number(i);
     if (i == 0 || i == fluid || number(i - 1) != c) begins[s][c] = i;
@@ -292,7 +292,7 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
     search.places[k] = places[k].data();
     std::int32_t* to = places[k].data();
     const Record* from = p.record.data();
-    on.for_each(p.count, [=](Index i) { to[i] = from[i].place[axis<Dim>(k)]; });
+    on.for_each(p.count, [=] HOST_DEVICE(Index i) { to[i] = from[i].place[axis<Dim>(k)]; });
   }
   p.fluid_clusters = (p.fluid_count + cluster_size - 1) / cluster_size;
   p.clusters = p.fluid_clusters + (p.count - p.fluid_count + cluster_size - 1) / cluster_size;
@@ -301,7 +301,7 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   typename Device::template Buffer<Index> counts(p.clusters);
   {
     Index* c = counts.data();
-    on.for_each(p.clusters, [=](Index cluster) {
+    on.for_each(p.clusters, [=] HOST_DEVICE(Index cluster) {
       Index n = 0;
       search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1,
                     [&](Index) { ++n; });
@@ -318,7 +318,7 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
     Index* entries = p.list_entries.data();
     std::uint8_t* flags = about.data();
     const Record* records = p.record.data();
-    on.for_each(p.clusters, [=](Index cluster) {
+    on.for_each(p.clusters, [=] HOST_DEVICE(Index cluster) {
       Index at = list.begin[cluster];
       std::uint8_t f = 0;
       for (Index i = list.first(cluster); i < list.last(cluster); ++i) {
@@ -337,18 +337,19 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
 
   const std::uint8_t* flags = about.data();
   on.select(
-      p.fluid_clusters, [=](Index c) { return (flags[c] & reaches_sediment) != 0; }, p.clusters_with_sediment);
+      p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) != 0; },
+      p.clusters_with_sediment);
   on.select(
-      p.fluid_clusters, [=](Index c) { return (flags[c] & reaches_sediment) == 0; }, p.clusters_of_water);
+      p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) == 0; }, p.clusters_of_water);
   if (scene.has_states) {
     constexpr std::uint8_t both = has_sediment | reaches_water;
     on.select(
-        p.fluid_clusters, [=](Index c) { return (flags[c] & both) == both; }, p.clusters_at_bed_surface);
+        p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & both) == both; }, p.clusters_at_bed_surface);
   }
   const Index fluid_clusters = p.fluid_clusters;
   on.select(
       p.clusters - p.fluid_clusters,
-      [=](Index c) { return list.begin[fluid_clusters + c + 1] > list.begin[fluid_clusters + c]; },
+      [=] HOST_DEVICE(Index c) { return list.begin[fluid_clusters + c + 1] > list.begin[fluid_clusters + c]; },
       p.clusters_of_walls);
   for (Index& c : p.clusters_of_walls) c += fluid_clusters;
 }
@@ -358,7 +359,8 @@ template <class Device>
 bool has_excluded(Device& on, const Particles<Device>& p) {
   const Record* records = p.record.data();
   return on.reduce(
-      p.fluid_count, false, [=](Index i) { return records[i].volume == 0; }, [](bool a, bool b) { return a || b; });
+      p.fluid_count, false, [=] HOST_DEVICE(Index i) { return records[i].volume == 0; },
+      [] HOST_DEVICE(bool a, bool b) { return a || b; });
 }
 
 /// Largest squared distance a particle has moved since the lists were made [m^2]; infinite when one was excluded.
@@ -369,7 +371,7 @@ float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& sc
   const Vec<Dim, float> quantum = scene.lattice.quantum;
   return on.reduce(
       p.fluid_count, 0.0F,
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         if (records[i].volume == 0) return INFINITY;
         float d2 = 0;
         for (int k = 0; k < Dim; ++k) {
@@ -380,7 +382,7 @@ float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& sc
         }
         return d2;
       },
-      [](float a, float b) { return a > b ? a : b; });
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
 }
 
 }  // namespace neighbours
@@ -397,7 +399,7 @@ std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& 
   p.listed_at.resize(p.count);
   const Record* records = p.record.data();
   Place* listed = p.listed_at.data();
-  on.for_each(p.count, [=](Index i) {
+  on.for_each(p.count, [=] HOST_DEVICE(Index i) {
     for (int k = 0; k < 3; ++k) listed[i].c[k] = records[i].place[k];
   });
   ++rebuilt;

@@ -148,7 +148,7 @@ struct Norms {
 /// Sum of of(i) over those particles, `of` returning double or Norms; may change what it visits.
 template <class T, class Device, class Of>
 T sum_over_members(Device& on, const ClusterList& list, ClusterRange range, const Of& of) {
-  const auto add = [](T a, const T& b) {
+  const auto add = [] HOST_DEVICE(T a, const T& b) {
     if constexpr (std::is_same_v<T, Norms>) {
       return Norms{a.preconditioned + b.preconditioned, a.squared + b.squared};
     } else {
@@ -157,7 +157,7 @@ T sum_over_members(Device& on, const ClusterList& list, ClusterRange range, cons
   };
   return on.reduce(
       range.count, T{},
-      [=](Index n) {
+      [=] HOST_DEVICE(Index n) {
         const Index c = range[n];
         T sum{};
         for (Index i = list.first(c); i < list.last(c); ++i) sum = add(sum, of(i));
@@ -180,7 +180,7 @@ double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Di
   const float* mass = p.mass.data();
   const Rates* rates = p.rates.data();
   const Sediment* sediment = p.sediment.data();
-  const double squares = sum_over_members<double>(on, p.list(), p.near_sediment(), [=](Index i) {
+  const double squares = sum_over_members<double>(on, p.list(), p.near_sediment(), [=] HOST_DEVICE(Index i) {
     const double m = mass[i];
     const float* viscous = sediment[i].viscous_acceleration;
     return m * m * (g2 + dot3(rates[i].acceleration, rates[i].acceleration) + dot3(viscous, viscous));
@@ -214,13 +214,13 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   const auto each = [&](const auto& body) { for_each_member(on, list, range, body); };
 
   // What viscosity did in the last step is the best guess of what it does in this one.
-  each([=](Index i) {
+  each([=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
   });
   on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
                          ViscousCoefficientSweep<Dim, Row, Coupling>{records, mass, sediment, system.coefficient.data(),
                                                                      rows, coupling, dt});
-  Norms now = norms([=](Index i) {
+  Norms now = norms([=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
     return viscosity::norms_of(rows[i]);
   });
@@ -234,9 +234,9 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
     if (result.converged || result.iterations == scene.viscous_iterations || !std::isfinite(result.residual)) break;
     on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
                            ViscousProductSweep<Dim, Row>{records, mass, system.coefficient.data(), rows});
-    const double pAp = total([=](Index i) { return dot3(records[i].work, rows[i].product); });
+    const double pAp = total([=] HOST_DEVICE(Index i) { return dot3(records[i].work, rows[i].product); });
     const auto alpha = static_cast<float>(now.preconditioned / pAp);
-    const Norms next = norms([=](Index i) {
+    const Norms next = norms([=] HOST_DEVICE(Index i) {
       for (int c = 0; c < 3; ++c) {
         rows[i].increment[c] += alpha * records[i].work[c];
         rows[i].residual[c] -= alpha * rows[i].product[c];
@@ -245,14 +245,14 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
     });
     const auto beta = static_cast<float>(next.preconditioned / now.preconditioned);
     now = next;
-    each([=](Index i) {
+    each([=] HOST_DEVICE(Index i) {
       for (int c = 0; c < 3; ++c)
         records[i].work[c] = rows[i].residual[c] / rows[i].diagonal + beta * records[i].work[c];
     });
     ++result.iterations;
   }
   const bool converged = result.converged;
-  each([=](Index i) {
+  each([=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) {
       if (converged) {
         records[i].velocity[c] += rows[i].increment[c];
