@@ -5,6 +5,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/backend/buffer.hpp"
@@ -34,6 +36,25 @@ struct OpenMp {
   /// Adds to a counter that several particles may share; integers, so that the sum does not depend on the order.
   static void atomic_add(std::int64_t* counter, std::int64_t amount) {
     __atomic_fetch_add(counter, amount, __ATOMIC_RELAXED);
+  }
+
+  /// Takes numbers from the host to the device, and makes a buffer of n equal ones.
+  template <class T>
+  static void put(HostBuffer<T>&& numbers, Buffer<T>& to) {
+    to = std::move(numbers);
+  }
+  template <class T>
+  static void fill(Buffer<T>& buffer, std::size_t n, const T& value) {
+    buffer.assign(n, value);
+  }
+  /// The buffer's entries [from, to) for the host to read; valid until the buffer changes.
+  template <class T>
+  static std::span<const T> on_host(const Buffer<T>& buffer, std::size_t from, std::size_t to) {
+    return std::span<const T>(buffer).subspan(from, to - from);
+  }
+  template <class T>
+  static std::span<const T> on_host(const Buffer<T>& buffer) {
+    return buffer;
   }
 
   /// body(i) for i in [0, n): the particle pass.

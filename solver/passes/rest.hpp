@@ -90,6 +90,19 @@ struct MayStop {
 
 }  // namespace rest
 
+namespace rest {
+
+/// The clusters in range for which keep(cluster), in order.
+template <class Device, class Keep>
+void choose(Device& on, ClusterRange from, const Keep& keep, typename Device::template Buffer<Index>& chosen) {
+  on.select(
+      from.count, [=] HOST_DEVICE(Index n) { return keep(from[n]); }, chosen);
+  Index* c = chosen.data();
+  on.for_each(static_cast<Index>(chosen.size()), [=] HOST_DEVICE(Index n) { c[n] = from[c[n]]; });
+}
+
+}  // namespace rest
+
 /// Makes the lists of clusters that have to be computed after sediment has stopped or woken, or the neighbour lists are
 /// new.
 template <class Device>
@@ -108,23 +121,17 @@ void list_active_clusters(Device& on, Particles<Device>& p) {
     }
     return false;
   };
-  const auto choose = [&](ClusterRange from, auto& chosen, const auto& keep) {
-    on.select(
-        from.count, [=] HOST_DEVICE(Index n) { return keep(from[n]); }, chosen);
-    Index* c = chosen.data();
-    on.for_each(static_cast<Index>(chosen.size()), [=] HOST_DEVICE(Index n) { c[n] = from[c[n]]; });
-  };
   const ClusterRange sediment{p.clusters_with_sediment.data(), static_cast<Index>(p.clusters_with_sediment.size())};
   const ClusterRange walls{p.clusters_of_walls.data(), static_cast<Index>(p.clusters_of_walls.size())};
-  choose(sediment, p.clusters_part_resting, [=] HOST_DEVICE(Index c) {
-    const Index n = resting_members(c);
-    return n > 0 && n < list.last(c) - list.first(c);
-  });
-  choose(sediment, p.clusters_active,
-         [=] HOST_DEVICE(Index c) { return resting_members(c) < list.last(c) - list.first(c); });
-  choose(sediment, p.clusters_shore,
-         [=] HOST_DEVICE(Index c) { return resting_members(c) == list.last(c) - list.first(c) && active_in_reach(c); });
-  choose(walls, p.clusters_of_walls_active, active_in_reach);
+  const auto all_rest = [=] HOST_DEVICE(Index c) { return resting_members(c) == list.last(c) - list.first(c); };
+  rest::choose(
+      on, sediment, [=] HOST_DEVICE(Index c) { return resting_members(c) > 0 && !all_rest(c); },
+      p.clusters_part_resting);
+  rest::choose(
+      on, sediment, [=] HOST_DEVICE(Index c) { return !all_rest(c); }, p.clusters_active);
+  rest::choose(
+      on, sediment, [=] HOST_DEVICE(Index c) { return all_rest(c) && active_in_reach(c); }, p.clusters_shore);
+  rest::choose(on, walls, active_in_reach, p.clusters_of_walls_active);
   p.any_resting = p.clusters_active.size() < p.clusters_with_sediment.size() || p.clusters_part_resting.size() > 0;
 }
 

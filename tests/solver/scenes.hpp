@@ -96,7 +96,7 @@ struct Loaded {
 template <int Dim>
 Loaded<Dim> load(const Scene<Dim>& scene, const ParticleSet& from) {
   Loaded<Dim> l{Device{}, {}, scene};
-  load_particles(l.p, scene, from);
+  load_particles(l.on, l.p, scene, from);
   std::int64_t rebuilt = 0;
   refresh_neighbours(l.on, l.p, scene, rebuilt);
   return l;
