@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "solver/backend/buffer.hpp"
 #include "solver/simulation.hpp"
 
 namespace thalweg {

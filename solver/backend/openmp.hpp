@@ -65,7 +65,8 @@ struct OpenMp {
   }
 
   /// combine(… combine(combine(start, of(0)), of(1)) …), over blocks of a fixed size so that rounding does not depend
-  /// on the threads. T is copied freely; combine is associative up to rounding.
+  /// on the threads. T is copied freely; combine is associative up to rounding, and start changes nothing it is
+  /// combined with.
   template <class T, class Of, class Combine>
   T reduce(Index n, T start, const Of& of, const Combine& combine) const {
     constexpr Index block = 2048;

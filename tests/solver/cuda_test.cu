@@ -1,0 +1,8 @@
+#include "device_test.hpp"
+#include "solver/backend/cuda.cuh"
+
+namespace thalweg::test {
+
+INSTANTIATE_TYPED_TEST_SUITE_P(OnAGpu, OnDevice, Cuda);
+
+}  // namespace thalweg::test
