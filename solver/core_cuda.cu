@@ -1,6 +1,5 @@
 // The core module for CUDA devices; see make_simulation.cpp for how it is chosen.
-#include "solver/backend/cuda.cuh"
-#include "solver/core.hpp"
+#include "solver/core_cuda.cuh"
 
 namespace {
 
@@ -12,14 +11,18 @@ thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::Simul
 
 }  // namespace
 
+#define THALWEG_EXPORT extern "C" __attribute__((visibility("default")))
+
 /// The caller owns the result.
-extern "C" __attribute__((visibility("default"))) thalweg::Simulation* thalweg_make_simulation(
-    const thalweg::SimulationInput* input) {
+THALWEG_EXPORT thalweg::Simulation* thalweg_make_simulation(const thalweg::SimulationInput* input) {
   return std::visit([&](const auto& scene) { return make(scene, *input); }, input->scene);
 }
 
 /// Why no CUDA device can be used here, or an empty text.
-extern "C" __attribute__((visibility("default"))) const char* thalweg_device_problem() {
+THALWEG_EXPORT const char* thalweg_device_problem() {
   static const std::string problem = thalweg::cuda_problem();
   return problem.c_str();
 }
+
+/// Memory of the device that is free [bytes].
+THALWEG_EXPORT double thalweg_device_memory() { return thalweg::free_cuda_memory(); }

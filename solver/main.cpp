@@ -10,7 +10,8 @@ int solver(int argc, char** argv) {
   CLI::App app("Runs the two-phase SPH solver on a folder that thalweg-gencase has filled.", "thalweg-solver");
   thalweg::RunOptions options;
   app.add_option("DIR", options.folder, "Run folder with particles.vtp and case.resolved.toml")->required();
-  app.add_option("--backend", options.backend, "Device: auto, openmp")->capture_default_str();
+  app.add_option("--backend", options.backend, "Device: auto (a GPU if there is one), cuda, openmp")
+      ->capture_default_str();
   app.add_option("--isa", options.instruction_set, "Instruction set of the CPU core: auto, avx512, avx2, baseline")
       ->capture_default_str();
   app.add_option("--threads", options.threads, "CPU threads; 0: all cores")

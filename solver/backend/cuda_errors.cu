@@ -1,7 +1,6 @@
 #include "solver/backend/cuda_errors.hpp"
 
 #include "common/error.hpp"
-#include "common/memory.hpp"
 #include "solver/backend/cuda.cuh"
 
 namespace thalweg {
@@ -81,7 +80,7 @@ std::string cuda_problem() {
 std::string cuda_device_name() {
   cudaDeviceProp properties{};
   check_cuda(cudaGetDeviceProperties(&properties, 0), "asking for the device");
-  return std::string(properties.name) + ", " + format_bytes(double(properties.totalGlobalMem));
+  return std::string(properties.name) + ", " + std::to_string(properties.totalGlobalMem / 1000000000) + " GB";
 }
 
 double free_cuda_memory() {

@@ -145,6 +145,7 @@ struct ReorderThread {
 /// A GPU; the verbs are those of OpenMp (solver/backend/openmp.hpp), which says what each does.
 template <class Runtime>
 struct Gpu {
+  static constexpr bool stores_coefficients = false;
   template <class T>
   using Buffer = DeviceBuffer<T, Runtime>;
 

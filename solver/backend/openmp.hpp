@@ -23,6 +23,9 @@ void stable_sort_by_key(HostBuffer<std::uint64_t>& key, HostBuffer<Index>& order
 template <int W = native_width>
 struct OpenMp {
   static constexpr int width = W;
+  /// Whether sweeps of an iteration keep what they know of a pair or compute it again: memory is plentiful here and
+  /// arithmetic is not, on a GPU the other way round.
+  static constexpr bool stores_coefficients = true;
   template <class T>
   using Buffer = HostBuffer<T>;
 

@@ -322,6 +322,7 @@ void compute_mixture_accelerations(Device& on, Particles<Device>& p, const Scene
 template <int Dim>
 struct MixtureCoupling {
   static constexpr unsigned quads = quad_place | quad_motion | quad_matter | quad_work;
+  static constexpr bool needs_stored = true;  // the iteration writes over the work quad
   Scene<Dim> scene;
 
   template <class LaneT, class L>

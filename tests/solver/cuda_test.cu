@@ -1,5 +1,5 @@
 #include "device_test.hpp"
-#include "solver/backend/cuda.cuh"
+#include "solver/core_cuda.cuh"
 
 namespace thalweg::test {
 
