@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "common/error.hpp"
 #include "solver/backend/buffer.hpp"
 #include "solver/simulation.hpp"
 
@@ -153,15 +154,21 @@ double mean_neighbours(Device& on, const Particles<Device>& p, const Scene<Dim>&
 template <int Dim, class Device>
 class SimulationOn final : public Simulation {
  public:
-  SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from)
+  SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from, bool profile = false)
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
+    if (profile) timing_.wait_with([this] { on_.finish(); });
     load_particles(on_, p_, scene_, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(listed->second);
   }
 
   StepReport advance(double longest) override {
-    StepResult r = thalweg::advance(on_, p_, scene_, work_, longest, timing_);
+    StepResult r;
+    try {
+      r = thalweg::advance(on_, p_, scene_, work_, longest, timing_);
+    } catch (const RunError& e) {
+      throw RunError(std::string(e.what()) + " (in or shortly before " + timing_.current() + ")");
+    }
     StepReport report;
     report.dt = r.step.dt;
     report.limiter = r.step.limiter;

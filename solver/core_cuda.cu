@@ -6,7 +6,7 @@ namespace {
 template <int Dim>
 thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::SimulationInput& input) {
   return new thalweg::SimulationOn<Dim, thalweg::Cuda>(thalweg::Cuda{}, "CUDA, " + thalweg::cuda_device_name(), scene,
-                                                       *input.particles);
+                                                       *input.particles, input.profile);
 }
 
 }  // namespace

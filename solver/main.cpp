@@ -19,6 +19,11 @@ int solver(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--restart", options.restart, "Continue from this checkpoint");
   app.add_option("--until", options.until, "Stop at this physical time instead of output.end, e.g. \"0.5 s\"");
+  app.add_flag("--profile", options.profile,
+               "Wait for the GPU after every heading of timing.csv, so that each has its own time; slower");
+  app.add_option("--benchmark", options.benchmark,
+                 "Take so many steps and write nothing but summary.csv and timing.csv")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--deterministic")->description("For scripts: results never depend on the number of threads anyway");
   app.add_option("--set", options.overrides,
                  "Change a key of the case, e.g. numerics.cfl=0.2 (numerics, model, output)");

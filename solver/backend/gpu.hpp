@@ -15,7 +15,7 @@
 //
 //   allocate, release, copy_to_device, copy_to_host, copy_on_device     memory, in bytes
 //   launch(n, body), reduce, scan, select, sort                         what Gpu hands on
-//   atomic_add
+//   wait, atomic_add
 namespace thalweg {
 
 /// An array in the memory of a device. Contents are kept when it grows; new entries are uninitialised.
@@ -173,6 +173,8 @@ struct Gpu {
   static HostBuffer<T> on_host(const Buffer<T>& buffer) {
     return on_host(buffer, 0, buffer.size());
   }
+
+  static void finish() { Runtime::wait(); }
 
   template <class Body>
   static void for_each(Index n, const Body& body) {

@@ -60,6 +60,9 @@ struct OpenMp {
     return buffer;
   }
 
+  /// Until everything asked for is done.
+  static void finish() {}
+
   /// body(i) for i in [0, n): the particle pass.
   template <class Body>
   void for_each(Index n, const Body& body) const {

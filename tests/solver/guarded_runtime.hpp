@@ -40,6 +40,7 @@ struct GuardedRuntime {
   static void copy_to_host(void* to, const void* from, std::size_t bytes) { copy_to_device(to, from, bytes); }
   static void copy_on_device(void* to, const void* from, std::size_t bytes) { copy_to_device(to, from, bytes); }
 
+  static void wait() {}
   static void atomic_add(std::int64_t* counter, std::int64_t amount) { *counter += amount; }
 
   template <class Body>
