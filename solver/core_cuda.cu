@@ -1,21 +1,13 @@
 // The core module for CUDA devices; see make_simulation.cpp for how it is chosen.
+#include "solver/backend/cuda_errors.cuh"
 #include "solver/core_cuda.cuh"
-
-namespace {
-
-template <int Dim>
-thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::SimulationInput& input) {
-  return new thalweg::SimulationOn<Dim, thalweg::Cuda>(thalweg::Cuda{}, "CUDA, " + thalweg::cuda_device_name(), scene,
-                                                       *input.particles, input.profile);
-}
-
-}  // namespace
 
 #define THALWEG_EXPORT extern "C" __attribute__((visibility("default")))
 
 /// The caller owns the result.
 THALWEG_EXPORT thalweg::Simulation* thalweg_make_simulation(const thalweg::SimulationInput* input) {
-  return std::visit([&](const auto& scene) { return make(scene, *input); }, input->scene);
+  return std::visit([&](const auto& scene) { return thalweg::make_on_cuda(scene, *input->particles, input->profile); },
+                    input->scene);
 }
 
 /// Why no CUDA device can be used here, or an empty text.

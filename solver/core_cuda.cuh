@@ -1,12 +1,11 @@
 #pragma once
 
-#include "solver/backend/cuda.cuh"
-#include "solver/core.hpp"
+#include "solver/simulation.hpp"
 
-// The simulation on a CUDA device is compiled once per dimension (core_cuda_2d.cu, core_cuda_3d.cu), side by side.
+// The simulation on a CUDA device is compiled once per dimension, side by side.
 namespace thalweg {
 
-extern template class SimulationOn<2, Cuda>;
-extern template class SimulationOn<3, Cuda>;
+Simulation* make_on_cuda(const Scene<2>& scene, const ParticleSet& from, bool profile);  // core_cuda_2d.cu
+Simulation* make_on_cuda(const Scene<3>& scene, const ParticleSet& from, bool profile);  // core_cuda_3d.cu
 
 }  // namespace thalweg

@@ -10,7 +10,7 @@
 #include <cub/device/device_scan.cuh>
 #include <cub/device/device_select.cuh>
 
-#include "solver/backend/cuda_errors.hpp"
+#include "solver/backend/cuda_errors.cuh"
 #include "solver/backend/gpu.hpp"
 
 namespace thalweg {

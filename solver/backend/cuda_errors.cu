@@ -1,4 +1,4 @@
-#include "solver/backend/cuda_errors.hpp"
+#include "solver/backend/cuda_errors.cuh"
 
 #include "common/error.hpp"
 #include "solver/backend/cuda.cuh"

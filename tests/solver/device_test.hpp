@@ -123,15 +123,18 @@ TYPED_TEST_P(OnDevice, AddsWithoutLosingAny) {
   EXPECT_EQ(numbers_in<std::int64_t>(on, counts), std::vector<std::int64_t>(3, 10000));
 }
 
+template <class Device>
+struct Maker {
+  template <int Dim>
+  static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from) {
+    return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from);
+  }
+};
+
 /// A simulation of a scene made by hand, on Device.
 template <class Device>
 std::unique_ptr<Simulation> simulation_on(const DeviceScene& s, const ParticleSet& from) {
-  return std::visit(
-      [&](const auto& scene) -> std::unique_ptr<Simulation> {
-        constexpr int Dim = std::is_same_v<std::decay_t<decltype(scene)>, Scene<3>> ? 3 : 2;
-        return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from);
-      },
-      s.scene);
+  return std::visit([&](const auto& scene) { return Maker<Device>::make(scene, from); }, s.scene);
 }
 
 TYPED_TEST_P(OnDevice, StepsAsTheOpenMpBackendDoes) {
