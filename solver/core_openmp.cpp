@@ -12,7 +12,7 @@ thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::Simul
   std::string name = "OpenMP, " + std::string(isa) + ", " + std::to_string(device.threads) +
                      (device.threads == 1 ? " thread" : " threads");
   return new thalweg::SimulationOn<Dim, thalweg::OpenMp<>>(device, std::move(name), scene, *input.particles,
-                                                           input.motions);
+                                                           input.profile, input.motions);
 }
 
 }  // namespace

@@ -25,8 +25,10 @@ struct MoveWallPass {
   RigidState state;
   Scene<Dim> scene;
   float volume;  // of a wall particle [m^dim]
+  Index first;   // wall particle
 
-  HOST_DEVICE void operator()(Index i) const {
+  HOST_DEVICE void operator()(Index n) const {
+    const Index i = first + n;
     if (motion[i] != number) return;
     Record& r = records[i];
     double* x = positions[i].x;
@@ -59,14 +61,11 @@ void put_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const 
                const StateOf& state_of) {
   float volume = 1;
   for (int k = 0; k < Dim; ++k) volume *= static_cast<float>(scene.spacing);
-  const Index first = p.fluid_count;
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    const MoveWallPass<Dim> pass{p.record.data(), p.position.data(),
-                                 p.rates.data(),  p.moved_from.data(),
-                                 p.motion.data(), static_cast<Index>(m + 1),
-                                 motions[m].axis, state_of(motions[m]),
-                                 scene,           volume};
-    on.for_each(p.count - first, [=](Index n) { pass(first + n); });
+    on.for_each(p.count - p.fluid_count,
+                MoveWallPass<Dim>{p.record.data(), p.position.data(), p.rates.data(), p.moved_from.data(),
+                                  p.motion.data(), static_cast<Index>(m + 1), motions[m].axis, state_of(motions[m]),
+                                  scene, volume, p.fluid_count});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <toml++/toml.h>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -41,11 +42,10 @@ class CaseRun {
   CaseRun& operator=(const CaseRun&) = delete;
 
   void fill(const std::string& case_name, const std::vector<std::string>& overrides) {
-    fill_from("cases/" + case_name, overrides);
+    const char* cases = std::getenv("THALWEG_CASES");  // of a bundle (tools/bundle)
+    fill_from(std::filesystem::path(cases == nullptr ? THALWEG_SOURCE_DIR "/cases" : cases) / case_name, overrides);
   }
-  /// `path` from the root of the sources.
-  void fill_from(const std::string& path_in_sources, const std::vector<std::string>& overrides) {
-    const auto path = std::filesystem::path(THALWEG_SOURCE_DIR) / path_in_sources;
+  void fill_from(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
     gencase::Generated scene = gencase::generate(read_case(path, overrides));
     write_case(folder_.resolved_case(), scene.resolved);
     write_particles(folder_.particles(), scene.particles, PositionPrecision::double_precision);

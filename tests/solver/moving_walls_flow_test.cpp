@@ -39,7 +39,7 @@ Vec3 center_of_water(const ParticleSet& p) {
 
 std::unique_ptr<test::CaseRun> ran(const std::string& scene, const std::vector<std::string>& overrides = {}) {
   auto run = std::make_unique<test::CaseRun>(scene);
-  run->fill_from("tests/solver/moving_walls/" + scene + ".toml", overrides);
+  run->fill_from(THALWEG_SOURCE_DIR "/tests/solver/moving_walls/" + scene + ".toml", overrides);
   EXPECT_EQ(run_solver(run->options()), Exit::done);
   return run;
 }
@@ -126,7 +126,7 @@ const std::vector<std::string> short_flume = {"output.end=\"0.3 s\"", "output.in
 
 TEST(Paddles, AreWhereTheirMotionsPutThem) {
   test::CaseRun run("motions");
-  run.fill_from("tests/common/good_case_moving.toml", short_flume);
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml", short_flume);
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const ParticleSet end = read_particles(run.folder().checkpoint());
   const auto& motion = end.scalars.at(motion_array);
@@ -152,10 +152,10 @@ TEST(Paddles, AreWhereTheirMotionsPutThem) {
 
 TEST(Paddles, ContinueBitForBitAfterARestart) {
   test::CaseRun straight("straight");
-  straight.fill_from("tests/common/good_case_moving.toml", short_flume);
+  straight.fill_from(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml", short_flume);
   ASSERT_EQ(run_solver(straight.options()), Exit::done);
   test::CaseRun broken("broken");
-  broken.fill_from("tests/common/good_case_moving.toml", short_flume);
+  broken.fill_from(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml", short_flume);
   RunOptions first = broken.options();
   first.until = "0.2 s";
   ASSERT_EQ(run_solver(first), Exit::done);

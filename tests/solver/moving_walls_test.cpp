@@ -127,7 +127,7 @@ struct MovingFloor {
     scene.has_moving_walls = true;
   }
   SimulationOn<2, Device> simulation(const WallMotion& motion) const {
-    return {Device{}, "test", scene, particles, {motion}};
+    return {Device{}, "test", scene, particles, false, {motion}};
   }
 };
 
@@ -191,12 +191,12 @@ TEST(MovingWalls, ContinueThePressureOfAFluidThatGoesWithThem) {
   const MovingFloor start(setup);
   const double a[2] = {3, 2};
   const auto pressure = [&](const Vec3& x) { return 4000 - 1000 * (a[0] * x.x() + (9.81 + a[1]) * (x.z() - 0.05)); };
-  Particles<Device> p;
   Device on;
-  load_particles(p, start.scene, start.particles);
+  Particles<Device> p;
+  load_particles(on, p, start.scene, start.particles);
   const double norm = std::hypot(a[0], a[1]);
   const WallMotion motion{{{a[0] / norm, 0, a[1] / norm}, {0, 0, 0}, false}, {{0, 0, 0, norm}}};
-  load_motions(p, {motion}, start.particles);
+  load_motions(on, p, {motion}, start.particles);
   std::int64_t rebuilt = 0;
   refresh_neighbours(on, p, start.scene, rebuilt);
   hold_walls(on, p, start.scene, {motion}, 0);
@@ -228,9 +228,9 @@ TEST(MovingWalls, WakeTheSedimentInTheirReachAndNoOther) {
   for (const ParticleType type : set.type) number.push_back(type == ParticleType::moving_wall ? 1 : 0);
   Device on;
   Particles<Device> p;
-  load_particles(p, scene, set);
+  load_particles(on, p, scene, set);
   const WallMotion motion{{{0, 0, 1}, {0, 0, 0}, false}, {{1, 0, 1e-3}}};
-  load_motions(p, {motion}, set);
+  load_motions(on, p, {motion}, set);
   std::int64_t rebuilt = 0;
   refresh_neighbours(on, p, scene, rebuilt);
   for (Index i = 0; i < p.fluid_count; ++i) p.record[i].state = state_resting;

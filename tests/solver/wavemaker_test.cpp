@@ -23,7 +23,7 @@ double depth_at(const ParticleSet& p, double x, double width, double density) {
 
 TEST(Wavemaker, MakesWavesAsHighAsLinearTheorySays) {
   test::CaseRun run("wave_flume");
-  run.fill_from("tests/solver/moving_walls/wave_flume.toml", {});
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/moving_walls/wave_flume.toml", {});
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const double depth = 0.2, period = 0.8, stroke = 0.02;
   const double omega = 2 * std::numbers::pi / period;
