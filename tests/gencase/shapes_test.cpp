@@ -246,6 +246,18 @@ TEST(Closure, FluidBetweenWallsWithoutAFloorRunsOut) {
   EXPECT_EQ(closure_of(scene), "closure: fluid at rest touches the outside nowhere");
 }
 
+TEST(Closure, CountsAWallThatMovesAsLongAsItStands) {
+  Case scene = empty_scene(2, 0.01);
+  add_box(scene, "floor", ShapeRole::wall, Vec3(-0.1, 0, -0.05), Vec3(0.5, 0, 0));
+  add_box(scene, "back", ShapeRole::wall, Vec3(-0.05, 0, 0), Vec3(0, 0, 0.2));
+  add_box(scene, "gate", ShapeRole::moving_wall, Vec3(0.3, 0, 0), Vec3(0.35, 0, 0.2)).motion = "lift";
+  add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(0.3, 0, 0.1));
+  scene.motions.emplace_back().name = "lift";
+  EXPECT_EQ(closure_of(scene), "closure: fluid at rest touches the outside nowhere");
+  scene.shapes.erase(scene.shapes.begin() + 2);
+  EXPECT_NE(closure_of(scene), "closure: fluid at rest touches the outside nowhere");
+}
+
 TEST(Closure, OpenFacesAndPeriodicDirectionsAreNoLeak) {
   Case scene = empty_scene(2, 0.01);
   add_tank(scene, Vec3(0, 0, 0), Vec3(0.5, 0, 0.3)).open = {"+z", "+x", "-x"};
