@@ -64,6 +64,23 @@ DeviceScene eroding() {
   return s;
 }
 
+/// The same between a wall that pushes and one that turns, partly out of the domain.
+DeviceScene pushed() {
+  DeviceScene s = eroding();
+  s.name = "moving walls";
+  plane(s).has_moving_walls = true;
+  auto& motion = s.particles.scalars[motion_array];
+  for (std::size_t i = 0; i < s.particles.size(); ++i) {
+    const double x = s.particles.position[i].x();
+    const bool moves = s.particles.type[i] == ParticleType::wall && (x < 0.03 || x > 0.17);
+    if (moves) s.particles.type[i] = ParticleType::moving_wall;
+    motion.push_back(moves ? (x < 0.03 ? 1.0F : 2.0F) : 0.0F);
+  }
+  s.motions = {{{{1, 0, 0}, {0, 0, 0}, false}, {{0, 0, 0, 20}}},
+               {{{0, -1, 0}, {0.185, 0, 0.1}, true}, {{1e-3, 0, 0.5}}}};
+  return s;
+}
+
 /// Grains and pore water in the same places.
 DeviceScene mixture() {
   DeviceScene s = tank<2>("mixture");
@@ -105,6 +122,7 @@ std::vector<DeviceScene> device_scenes() {
   return {slump,
           tank<3>("slump in space"),
           eroding(),
+          pushed(),
           mixture(),
           with(slump, "pressure from Laplace's equation",
                [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::laplace; }),

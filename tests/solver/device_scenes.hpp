@@ -14,6 +14,7 @@ struct DeviceScene {
   AnyScene scene;
   ParticleSet particles;
   int steps = 20;
+  std::vector<WallMotion> motions = {};
 };
 
 /// Scenes that together go through every pass.

@@ -126,15 +126,16 @@ TYPED_TEST_P(OnDevice, AddsWithoutLosingAny) {
 template <class Device>
 struct Maker {
   template <int Dim>
-  static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from) {
-    return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from);
+  static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from,
+                                          const std::vector<WallMotion>& motions) {
+    return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from, false, motions);
   }
 };
 
 /// A simulation of a scene made by hand, on Device.
 template <class Device>
 std::unique_ptr<Simulation> simulation_on(const DeviceScene& s, const ParticleSet& from) {
-  return std::visit([&](const auto& scene) { return Maker<Device>::make(scene, from); }, s.scene);
+  return std::visit([&](const auto& scene) { return Maker<Device>::make(scene, from, s.motions); }, s.scene);
 }
 
 TYPED_TEST_P(OnDevice, StepsAsTheOpenMpBackendDoes) {
@@ -143,7 +144,7 @@ TYPED_TEST_P(OnDevice, StepsAsTheOpenMpBackendDoes) {
   // shows as a good part of the way the particles go.
   for (const DeviceScene& s : device_scenes()) {
     SCOPED_TRACE(s.name);
-    const auto reference = make_simulation({s.scene, &s.particles, 1}, "openmp", "baseline");
+    const auto reference = make_simulation({s.scene, &s.particles, 1, false, s.motions}, "openmp", "baseline");
     const auto tested = simulation_on<TypeParam>(s, s.particles);
     for (int n = 0; n < s.steps; ++n) {
       ASSERT_FALSE(reference->advance(1e-4).diverged);
@@ -168,13 +169,20 @@ TYPED_TEST_P(OnDevice, ContinuesFromACheckpointBitForBit) {
   for (const DeviceScene& s : device_scenes()) {
     SCOPED_TRACE(s.name);
     const auto advance = [](Simulation& simulation, int steps) {
-      for (int n = 0; n < steps; ++n) EXPECT_FALSE(simulation.advance(1e-4).diverged);
+      double time = 0;
+      for (int n = 0; n < steps; ++n) {
+        const StepReport step = simulation.advance(1e-4);
+        EXPECT_FALSE(step.diverged);
+        time += step.dt;
+      }
+      return time;
     };
     const auto straight = simulation_on<TypeParam>(s, s.particles);
-    advance(*straight, 4);
+    const double time = advance(*straight, 4);
     const ParticleSet checkpoint = straight->full_state();
     advance(*straight, 4);
     const auto continued = simulation_on<TypeParam>(s, checkpoint);
+    continued->set_time(time);
     advance(*continued, 4);
     const ParticleSet a = straight->full_state();
     const ParticleSet b = continued->full_state();
