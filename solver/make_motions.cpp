@@ -1,5 +1,6 @@
 #include "solver/make_motions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -70,6 +71,29 @@ std::vector<WallMotion> make_motions(const Case& from) {
     for (MotionSegment& segment : motion.segments) segment.place -= at_start;
   }
   return motions;
+}
+
+double largest_wall_speed(const std::vector<WallMotion>& motions, const ParticleSet& particles, double end) {
+  std::vector<double> reach(motions.size(), 0.0);  // speed for a rate of 1
+  const auto numbers = particles.scalars.find(motion_array);
+  for (std::size_t i = 0; numbers != particles.scalars.end() && i < particles.size(); ++i) {
+    const auto number = static_cast<std::size_t>(numbers->second[i]);
+    if (number == 0 || number > motions.size()) continue;
+    Vec3 u;
+    rigid_velocity(motions[number - 1].axis, 1, particles.position[i].data(), u.data());
+    reach[number - 1] = std::max(reach[number - 1], u.norm());
+  }
+  double largest = 0;
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    const auto& segments = motions[m].segments;
+    for (std::size_t s = 0; s < segments.size() && segments[s].begin < end; ++s) {
+      const double until = s + 1 < segments.size() ? std::min(end, segments[s + 1].begin) : end;
+      const double last = segments[s].rate + segments[s].change * (until - segments[s].begin);
+      const double peak = std::max(std::abs(segments[s].rate), std::abs(last));
+      largest = std::max(largest, reach[m] * (peak + segments[s].amplitude * segments[s].frequency));
+    }
+  }
+  return largest;
 }
 
 }  // namespace thalweg

@@ -98,6 +98,14 @@ void announce_choices(const Case& c) {
   announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
 }
 
+/// The sound speed follows from the speed that the case expects.
+void warn_of_fast_walls(const Case& c, const ParticleSet& start) {
+  const double speed = largest_wall_speed(make_motions(c), start, c.output.end);
+  if (speed <= c.numerics.maximum_speed) return;
+  spdlog::warn("walls move with up to {:.3g} m/s, and numerics.maximum_speed is {:.3g} m/s: {}", speed,
+               c.numerics.maximum_speed, "the water's density will vary by more than a percent; raise it");
+}
+
 /// The run itself: steps, and what is due between them.
 class Run {
  public:
@@ -117,6 +125,7 @@ class Run {
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
     if (c.has_sediment()) announce_choices(c);
     announce_seepage(c);
+    warn_of_fast_walls(c, start);
   }
 
   /// So many steps as fast as they go, without files.

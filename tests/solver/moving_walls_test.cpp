@@ -103,6 +103,26 @@ TEST(Motions, CountFromWhereTheyAreAtTheStart) {
   EXPECT_NEAR(make_motions(c)[0].at(1).place, 1, 1e-15);
 }
 
+TEST(Motions, TellTheirLargestSpeed) {
+  const std::vector<WallMotion> motions{
+      {{{1, 0, 0}, {0, 0, 0}, false}, {{0, 0, 0, 3}, {0.5, 0.375, 0.1}}},   // 1.5 m/s at 0.5 s
+      {{{0, -1, 0}, {1, 0, 0}, true}, {{0, 0, 2}}},                         // 2 rad/s at arms up to 0.4 m
+      {{{1, 0, 0}, {0, 0, 0}, false}, {{0, 0, 0, 0, 0.02, 2 * pi / 0.1}}},  // 0.02 m in 0.1 s
+      {{{1, 0, 0}, {0, 0, 0}, false}, {{7, 0, 100}}}};                      // after the end
+  ParticleSet walls;
+  const auto with = [&](float motion) {
+    walls.scalars[motion_array] = {0, motion, motion};
+    return largest_wall_speed(motions, walls, 1);
+  };
+  walls.id = {0, 1, 2};
+  walls.position = {Vec3(9, 0, 9), Vec3(1.3, 0, 0), Vec3(1, 0, -0.4)};
+  EXPECT_EQ(with(0), 0);
+  EXPECT_NEAR(with(1), 1.5, 1e-12);
+  EXPECT_NEAR(with(2), 0.8, 1e-12);
+  EXPECT_NEAR(with(3), 0.4 * pi, 1e-12);
+  EXPECT_EQ(with(4), 0);
+}
+
 TEST(Motions, OscillateFromOneEndOfTheStroke) {
   Case c = read_case(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml");
   c.motions[0].kind = MotionKind::oscillation;
