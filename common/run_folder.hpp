@@ -19,6 +19,7 @@ struct RunFolder {
   [[nodiscard]] std::filesystem::path excluded() const { return root / "excluded.csv"; }
   [[nodiscard]] std::filesystem::path checkpoint() const { return root / "checkpoint.vtp"; }
   [[nodiscard]] std::filesystem::path profiles() const { return root / "profiles"; }
+  [[nodiscard]] std::filesystem::path view_script() const { return root / "view.py"; }
   [[nodiscard]] std::filesystem::path report() const { return root / "report"; }
   [[nodiscard]] std::filesystem::path foam() const { return root / "foam"; }
   [[nodiscard]] std::filesystem::path foam_profiles() const { return root / "foam" / "profiles"; }

@@ -8,7 +8,9 @@
 
 #include "common/case_file.hpp"
 #include "common/run_folder.hpp"
+#include "common/whole_file.hpp"
 #include "postproc/comparison.hpp"
+#include "postproc/embedded.hpp"
 #include "postproc/extraction_run.hpp"
 #include "postproc/report.hpp"
 #include "postproc/run_records.hpp"
@@ -98,6 +100,7 @@ Exit postprocess(const PostprocessOptions& options) {
 
   input.extraction = extract_run(run, input.resolved);
   input.warnings = input.extraction.warnings;
+  write_whole_text(run.view_script(), [](std::ostream& stream) { stream << embedded::view_script; });
   fmt::print("{} snapshots, {} profiles in {}\n", input.extraction.fronts.size(), input.extraction.written.size(),
              run.profiles().string());
 

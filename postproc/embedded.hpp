@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+/// Text files compiled into the program (postproc/CMakeLists.txt), so that it needs none beside itself.
+namespace thalweg::embedded {
+
+extern const std::string_view view_script;  // postproc/view/view.py
+
+}  // namespace thalweg::embedded
