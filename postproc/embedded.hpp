@@ -5,6 +5,7 @@
 /// Text files compiled into the program (postproc/CMakeLists.txt), so that it needs none beside itself.
 namespace thalweg::embedded {
 
-extern const std::string_view view_script;  // postproc/view/view.py
+extern const std::string_view view_script;   // postproc/view/view.py
+extern const std::string_view hover_script;  // postproc/view/hover.js
 
 }  // namespace thalweg::embedded

@@ -18,6 +18,15 @@ struct MeshModel {
   std::vector<Quantity> summary;
 };
 
+/// How far the bed has risen (+) or sunk (-) since the run's first profile, at every place and time there is a profile
+/// of.
+struct BedHistory {
+  std::filesystem::path
+      file;               // x [m], time [s], from [s], to [s], change [m]; from and to: half-way to the times beside
+  std::size_t times = 0;  // [-] 0: there is no table, for want of a bed or of times
+  double largest = 0;     // [m] magnitude
+};
+
 /// Everything the page is made of; the page adds nothing that is not here or in the files it names.
 struct ReportInput {
   Case resolved;
@@ -34,11 +43,12 @@ struct ReportInput {
   std::vector<MeshModel> meshes;
   std::vector<std::string> compare_arguments;
   std::vector<std::string> warnings;
+  BedHistory bed_history;
 };
 
 /// Writes report/pictures (gnuplot scripts and what they draw), report/data (the curves as drawn) and
 /// report/index.html, a page that needs no other file and no network. Returns false when the pictures are missing
 /// because gnuplot is not installed; the page then says so. Throws RunError.
-bool write_report(const ReportInput& input);
+bool write_report(ReportInput input);
 
 }  // namespace thalweg

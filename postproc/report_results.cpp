@@ -42,14 +42,6 @@ std::string title_of(const std::string& curve_name) {
   return curve_name;
 }
 
-std::string figure(const std::string& picture, const std::string& caption) {
-  const std::string shown =
-      picture.empty()
-          ? "<div class=\"missing\">no picture: gnuplot is not installed (apt-get install gnuplot-nox)</div>"
-          : picture;
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", shown, caption);
-}
-
 std::optional<BedChange> change_of_bed(const ReportInput& input) {
   if (!input.extraction.initial || input.extraction.written.empty()) return std::nullopt;
   return bed_change(input.extraction.initial->profile, input.extraction.written.back().profile);
@@ -106,6 +98,22 @@ std::string what_is_seen(const ReportInput& input) {
 
 }  // namespace
 
+std::string figure(const std::string& picture, const std::string& caption, const std::string& id) {
+  const std::string shown =
+      picture.empty()
+          ? "<div class=\"missing\">no picture: gnuplot is not installed (apt-get install gnuplot-nox)</div>"
+          : picture;
+  const std::string named = id.empty() ? "" : " id=\"figure_" + id + "\"";
+  return fmt::format("<figure{}>\n{}<figcaption>{}</figcaption>\n</figure>\n", named, shown, caption);
+}
+
+std::string id_of_profile(double time) {
+  std::string name = profile_file_name(time);
+  name.resize(name.rfind('.'));
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
 std::string heading(const ReportInput& input) {
   const CaseInfo& info = input.resolved.info;
   std::string text = fmt::format("<header>\n<h1>{}</h1>\n", escape(info.title.empty() ? info.name : info.title));
@@ -143,10 +151,9 @@ std::string at_a_glance(const ReportInput& input) {
 
 std::string profiles(const ReportInput& input, const std::filesystem::path& pictures) {
   std::string text = "<h2>Profiles</h2>\n<p class=\"key\">";
-  constexpr std::pair<const char*, const char*> colours[] = {
-      {"#0072b2", "free surface"}, {"#d55e00", "bed"}, {"#1a1a1a", "moving bed (top of the sediment at rest)"}};
-  for (const auto& [colour, what] : colours) {
-    text += fmt::format("<span class=\"swatch\" style=\"border-color:{}\"></span>{}", colour, what);
+  constexpr const char* names[] = {"free surface", "bed", "moving bed (top of the sediment at rest)"};
+  for (std::size_t c = 0; c < std::size(curves); ++c) {
+    text += fmt::format("<span class=\"swatch\" style=\"border-color:{}\"></span>{}", curve_colours[c], names[c]);
   }
   text += ". The colour says which curve it is; ";
   std::vector<std::string> kinds{"a full line is this SPH run"};
@@ -161,14 +168,14 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
   for (const TimedProfile& timed : input.extraction.written) {
     std::string name = profile_file_name(timed.time);
     name.resize(name.rfind('.'));
-    std::string id = name;
-    std::replace(id.begin(), id.end(), '.', '_');
+    const std::string id = id_of_profile(timed.time);
     const std::string picture =
         html::inline_svg(pictures / (name + ".svg"), id, fmt::format("Profiles at t = {:g} s", timed.time));
-    text +=
-        figure(picture, fmt::format("t = {:g} s. Numbers: <a href=\"../profiles/{}.csv\">profiles/{}.csv</a>; picture: "
-                                    "<a href=\"pictures/{}.png\">PNG</a>, <a href=\"pictures/{}.gp\">script</a>.",
-                                    timed.time, name, name, name, name));
+    text += figure(picture,
+                   fmt::format("t = {:g} s. Numbers: <a href=\"../profiles/{}.csv\">profiles/{}.csv</a>; picture: "
+                               "<a href=\"pictures/{}.png\">PNG</a>, <a href=\"pictures/{}.gp\">script</a>.",
+                               timed.time, name, name, name, name),
+                   id);
   }
   return text;
 }
@@ -274,14 +281,14 @@ std::string front_and_energies(const ReportInput& input, const std::filesystem::
 std::string particles(const ReportInput& input, const std::filesystem::path& pictures) {
   const std::string picture = html::inline_png(pictures / "particles.png", "Particles at the last time");
   return "<h2>The particles</h2>\n" +
-         figure(
-             picture,
-             fmt::format("The particles at t = {:g} s{}, heights not exaggerated: above what they are, below how fast "
-                         "they are. Open <code>snapshots.pvd</code> in ParaView for all times.",
-                         input.extraction.last_time,
-                         input.resolved.info.dimension == 3
-                             ? fmt::format(", in the plane y = {:g} m", input.extraction.plane_y)
-                             : ""));
+         figure(picture,
+                fmt::format("The particles at t = {:g} s{}, heights not exaggerated: what they are, how fast they "
+                            "are, and their pressure (sediment at rest keeps the one it stopped with). Open "
+                            "<code>snapshots.pvd</code> in ParaView for all times.",
+                            input.extraction.last_time,
+                            input.resolved.info.dimension == 3
+                                ? fmt::format(", in the plane y = {:g} m", input.extraction.plane_y)
+                                : ""));
 }
 
 }  // namespace thalweg::report_sections

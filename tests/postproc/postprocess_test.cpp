@@ -84,7 +84,8 @@ TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
   EXPECT_THAT(errors, HasSubstr("\nOpenFOAM 10 mm,Thalweg SPH,free_surface,0.5,"));
   EXPECT_THAT(errors, HasSubstr("OpenFOAM 20 mm has no moving_bed, not compared"));
 
-  for (const char* picture : {"t0.250.svg", "t0.500.png", "front.svg", "energies.svg", "particles.png", "t0.250.gp"}) {
+  for (const char* picture :
+       {"t0.250.svg", "t0.500.png", "front.svg", "energies.svg", "particles.png", "space_time.png", "t0.250.gp"}) {
     EXPECT_GT(fs::file_size(run.report() / "pictures" / picture), 500U) << picture;
   }
   const std::string page = contents_of(run.report() / "index.html");
@@ -94,8 +95,11 @@ TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
   EXPECT_THAT(page, HasSubstr("friction_angle"));
   EXPECT_THAT(page, HasSubstr("scatter of equal runs"));
   EXPECT_THAT(page, HasSubstr("cell size"));
+  EXPECT_THAT(page, HasSubstr("mesh (finite volumes)"));
+  EXPECT_THAT(page, HasSubstr("<figure id=\"figure_t0_250\">"));
   // Self-contained: nothing is fetched, links go to files beside the page.
-  EXPECT_FALSE(std::regex_search(page, std::regex("<(link|script|iframe)|src=\"(?!data:)|url\\((?!#)|@import")));
+  EXPECT_FALSE(
+      std::regex_search(page, std::regex("<(link|iframe)|<script[^>]* src|src=\"(?!data:)|url\\((?!#)|@import")));
 }
 
 TEST(Postprocess, SaysPlainlyThatAReferenceSlotIsEmpty) {
