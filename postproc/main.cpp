@@ -17,6 +17,8 @@ int run(int argc, char** argv) {
                  "further profiles: a file (t0.250.csv), a folder of them, or another run; LABEL=PATH names the source")
       ->type_name("[LABEL=]PATH");
   app.add_flag("--report", options.report, "draw the pictures and write report/index.html (needs gnuplot)");
+  app.add_flag("--3d", options.in_space,
+               "the report with bed and free surface to turn about, and a slider for the time");
   if (const std::optional<int> answered = thalweg::parse_command_line(app, argc, argv)) return *answered;
   return static_cast<int>(thalweg::postprocess(options));
 }

@@ -118,7 +118,8 @@ Exit postprocess(const PostprocessOptions& options) {
   write_errors(run.report() / "errors.csv", input.comparison);
 
   bool complete = !input.extraction.damaged;
-  if (options.report) {
+  if (options.report || options.in_space) {
+    input.in_space = options.in_space;
     const fs::path repeatability = input.resolved.folder / "repeatability.csv";
     input.repeatability = read_repeatability(repeatability);
     if (!input.repeatability.empty()) input.repeatability_origin = comments_in(repeatability);

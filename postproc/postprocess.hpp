@@ -12,6 +12,7 @@ struct PostprocessOptions {
   std::filesystem::path folder;      // of the run
   std::vector<std::string> compare;  // further sources, "PATH" or "LABEL=PATH"
   bool report = false;               // pictures and index.html
+  bool in_space = false;             // the report with a 3-D view
 };
 
 /// Profiles, front, comparison and, if asked for, the report of a run. Returns Exit::run_failed, after doing all that

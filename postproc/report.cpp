@@ -99,12 +99,17 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
 
 }  // namespace
 
-bool write_report(ReportInput input) {
+bool write_report(ReportInput& input) {
   input.bed_history = write_bed_history(input.run.report() / "data" / "bed_change.csv", input);
   const fs::path pictures = input.run.report() / "pictures";
   bool drawn = true;
   for (const fs::path& script : write_scripts(input, pictures)) {
     drawn = drawn && run_gnuplot(script) == GnuplotResult::drawn;
+  }
+  SpaceScene space;
+  if (input.in_space) {
+    space = make_space_scene(input);
+    if (!space.why_not.empty()) input.warnings.push_back(space.why_not);
   }
   namespace part = report_sections;
   const std::string title = input.resolved.info.title.empty() ? input.resolved.info.name : input.resolved.info.title;
@@ -115,8 +120,8 @@ bool write_report(ReportInput input) {
     page << part::heading(input) << part::scene(input, pictures) << part::at_a_glance(input) << part::methods(input);
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
-         << part::space_time(input, pictures) << part::particles(input, pictures) << part::run_numbers(input)
-         << part::model(input);
+         << part::space_time(input, pictures) << part::space_view(space) << part::particles(input, pictures)
+         << part::run_numbers(input) << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
     page << part::provenance(input) << part::hover(input) << "</body>\n</html>\n";
   });

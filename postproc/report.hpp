@@ -44,11 +44,13 @@ struct ReportInput {
   std::vector<std::string> compare_arguments;
   std::vector<std::string> warnings;
   BedHistory bed_history;
+  bool in_space = false;  // with the 3-D view
 };
 
 /// Writes report/pictures (gnuplot scripts and what they draw), report/data (the curves as drawn) and
 /// report/index.html, a page that needs no other file and no network. Returns false when the pictures are missing
-/// because gnuplot is not installed; the page then says so. Throws RunError.
-bool write_report(ReportInput input);
+/// because gnuplot is not installed; the page then says so. Adds to the warnings what it had to leave out. Throws
+/// RunError.
+bool write_report(ReportInput& input);
 
 }  // namespace thalweg

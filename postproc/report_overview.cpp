@@ -194,6 +194,26 @@ std::string space_time(const ReportInput& input, const fs::path& pictures) {
                     bed.times, 1e3 * bed.largest));
 }
 
+std::string space_view(const SpaceScene& scene) {
+  if (scene.data.empty()) return "";
+  return "<h2>The run in three dimensions</h2>\n<figure id=\"scene\">\n<div class=\"canvas\"></div>\n<div "
+         "class=\"controls\">"
+         "<button type=\"button\">play</button><input type=\"range\" min=\"0\" step=\"1\" aria-label=\"time\">"
+         "<output></output><label><input type=\"checkbox\" name=\"water\" checked> water</label>" +
+         fmt::format("<span class=\"scale\">−{0:.0f} mm <i></i> +{0:.0f} mm</span></div>\n", 1e3 * scene.largest) +
+         fmt::format(
+             "<figcaption>The bed, brown where it has risen and blue-green where it has sunk since the start, under "
+             "the "
+             "water's surface, at {} times{}. Drag to turn, wheel to zoom, shift and drag to move.</figcaption>\n"
+             "</figure>\n",
+             scene.frames,
+             scene.thinned ? fmt::format("; surfaces thinned to at most {} triangles",
+                                         html::grouped(static_cast<double>(scene.most_triangles)))
+                           : "") +
+         "<script type=\"application/json\" id=\"scene-data\">" + scene.data + "</script>\n<script>\n" +
+         std::string(embedded::scene_script) + "</script>\n";
+}
+
 std::string hover(const ReportInput& input) {
   const PictureFrame frame = frame_around(input.sets, input.resolved.compare.from, input.resolved.compare.to);
   nlohmann::json data;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "postproc/report.hpp"
+#include "postproc/scene3d.hpp"
 
 /// The parts of the report's page, each a piece of HTML.
 namespace thalweg::report_sections {
@@ -22,6 +23,9 @@ std::string run_numbers(const ReportInput& input);
 std::string model(const ReportInput& input);
 std::string remarks(const ReportInput& input);
 std::string provenance(const ReportInput& input);
+
+/// The 3-D view with its slider, or nothing.
+std::string space_view(const SpaceScene& scene);
 
 /// The curves of the profile pictures as data, and the script that shows them under the pointer.
 std::string hover(const ReportInput& input);
