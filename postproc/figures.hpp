@@ -96,11 +96,13 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path space_time(const std::filesystem::path& table, const std::filesystem::path& front,
                                                  const PictureFrame& frame, double spacing, double largest) const;
 
- private:
-  [[nodiscard]] std::string data(const std::filesystem::path& file) const;
+  /// Any other picture: `settings`, then the command `plot`, which draws data(file).
   [[nodiscard]] std::filesystem::path write(const std::string& name, int width, int height, const std::string& settings,
                                             const std::string& plot) const;
+  /// A CSV file as a script names it: quoted, relative to the script's folder.
+  [[nodiscard]] std::string data(const std::filesystem::path& file) const;
 
+ private:
   std::filesystem::path folder_;
 };
 

@@ -12,6 +12,7 @@
 #include "postproc/comparison.hpp"
 #include "postproc/embedded.hpp"
 #include "postproc/extraction_run.hpp"
+#include "postproc/paper_figures.hpp"
 #include "postproc/report.hpp"
 #include "postproc/run_records.hpp"
 
@@ -118,6 +119,7 @@ Exit postprocess(const PostprocessOptions& options) {
   write_errors(run.report() / "errors.csv", input.comparison);
 
   bool complete = !input.extraction.damaged;
+  if (options.paper_figures) fmt::print("\nfigures: {}\n", write_paper_figures(input, options.series).string());
   if (options.report || options.in_space) {
     input.in_space = options.in_space;
     const fs::path repeatability = input.resolved.folder / "repeatability.csv";

@@ -9,10 +9,12 @@
 namespace thalweg {
 
 struct PostprocessOptions {
-  std::filesystem::path folder;      // of the run
-  std::vector<std::string> compare;  // further sources, "PATH" or "LABEL=PATH"
-  bool report = false;               // pictures and index.html
-  bool in_space = false;             // the report with a 3-D view
+  std::filesystem::path folder;                 // of the run
+  std::vector<std::string> compare;             // further sources, "PATH" or "LABEL=PATH"
+  bool report = false;                          // pictures and index.html
+  bool in_space = false;                        // the report with a 3-D view
+  bool paper_figures = false;                   // the source paper's figures from this run and from `series`
+  std::vector<std::filesystem::path> series{};  // runs of one case at several spacings
 };
 
 /// Profiles, front, comparison and, if asked for, the report of a run. Returns Exit::run_failed, after doing all that
