@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
   app.add_flag("--report", options.report, "draw the pictures and write report/index.html (needs gnuplot)");
   app.add_flag("--3d", options.in_space,
                "the report with bed and free surface to turn about, and a slider for the time");
+  app.add_flag("--movie", options.movie, "draw every snapshot: movie/*.png, and movie.mp4 where ffmpeg is installed");
   app.add_option("--figures", figures, "the figures of the source paper from this run, in report/paper (needs gnuplot)")
       ->check(CLI::IsMember({"paper"}));
   if (const std::optional<int> answered = thalweg::parse_command_line(app, argc, argv)) return *answered;

@@ -12,6 +12,7 @@
 #include "postproc/comparison.hpp"
 #include "postproc/embedded.hpp"
 #include "postproc/extraction_run.hpp"
+#include "postproc/movie.hpp"
 #include "postproc/paper_figures.hpp"
 #include "postproc/report.hpp"
 #include "postproc/run_records.hpp"
@@ -120,6 +121,15 @@ Exit postprocess(const PostprocessOptions& options) {
 
   bool complete = !input.extraction.damaged;
   if (options.paper_figures) fmt::print("\nfigures: {}\n", write_paper_figures(input, options.series).string());
+  if (options.movie) {
+    const Movie movie = make_movie(run, input.resolved);
+    complete = complete && movie.frames > 0;
+    if (movie.frames > 0) {
+      fmt::print("\nmovie: {} frames in {}{}\n", movie.frames, (run.root / "movie").string(),
+                 movie.film.empty() ? "" : ", " + movie.film.string());
+    }
+    input.warnings.insert(input.warnings.end(), movie.warnings.begin(), movie.warnings.end());
+  }
   if (options.report || options.in_space) {
     input.in_space = options.in_space;
     const fs::path repeatability = input.resolved.folder / "repeatability.csv";

@@ -13,6 +13,7 @@ struct PostprocessOptions {
   std::vector<std::string> compare;             // further sources, "PATH" or "LABEL=PATH"
   bool report = false;                          // pictures and index.html
   bool in_space = false;                        // the report with a 3-D view
+  bool movie = false;                           // a frame of each snapshot, and a film
   bool paper_figures = false;                   // the source paper's figures from this run and from `series`
   std::vector<std::filesystem::path> series{};  // runs of one case at several spacings
 };

@@ -11,6 +11,7 @@
 #include "common/case_file.hpp"
 #include "common/csv.hpp"
 #include "common/profile.hpp"
+#include "postproc/movie.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
 namespace thalweg {
@@ -157,6 +158,43 @@ TEST(PaperFigures, HoldTheNumbersOfTheRunAndEmptySlotsForWhatIsMissing) {
   for (const double error : bed) EXPECT_NEAR(error, -0.002, 0.3 * SyntheticRun::spacing);
   page = contents_of(paper / "index.html");
   EXPECT_FALSE(std::regex_search(page, std::regex("<(link|iframe|script)|src=\"(?!data:)")));
+}
+
+TEST(Movie, HasAFrameOfEverySnapshotThatShowsWaterAndSediment) {
+  const TemporaryFolder folder("movie");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  fs::resize_file(synthetic.folder().snapshots() / "s00003.vtp", 5000);
+  const Movie movie = make_movie(synthetic.folder(), read_case(synthetic.folder().resolved_case()));
+  if (movie.frames == 0) GTEST_SKIP() << movie.warnings.front();  // neither a display nor Xvfb
+  EXPECT_EQ(movie.frames, 10U);                                   // of eleven, one of which is damaged
+  EXPECT_THAT(movie.warnings, testing::Contains(HasSubstr("skipped: ")));
+  for (std::size_t n = 0; n < movie.frames; ++n) {
+    EXPECT_GT(fs::file_size(synthetic.folder().root / "movie" / fmt::format("f{:05}.png", n)), 10'000U) << n;
+  }
+  if (movie.film.empty()) {
+    EXPECT_THAT(movie.warnings, testing::Contains(HasSubstr("apt-get install ffmpeg")));
+  } else {
+    EXPECT_GT(fs::file_size(movie.film), 10'000U);
+  }
+}
+
+TEST(Movie, WithoutAnyDisplaySaysWhatToInstall) {
+  const TemporaryFolder folder("no_display");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  const char* path = std::getenv("PATH");
+  const std::string programs = path != nullptr ? path : "";
+  const char* display = std::getenv("DISPLAY");
+  const std::string screen = display != nullptr ? display : "";
+  ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  ASSERT_EQ(setenv("PATH", "/nonexistent", 1), 0);
+  const Movie movie = make_movie(synthetic.folder(), read_case(synthetic.folder().resolved_case()));
+  ASSERT_EQ(setenv("PATH", programs.c_str(), 1), 0);
+  if (!screen.empty()) ASSERT_EQ(setenv("DISPLAY", screen.c_str(), 1), 0);
+  EXPECT_EQ(movie.frames, 0U);
+  ASSERT_EQ(movie.warnings.size(), 1U);
+  EXPECT_THAT(movie.warnings.front(), HasSubstr("apt-get install xvfb"));
 }
 
 TEST(Postprocess, SaysPlainlyThatAReferenceSlotIsEmpty) {
