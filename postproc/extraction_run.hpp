@@ -7,7 +7,7 @@
 
 #include "common/case.hpp"
 #include "common/run_folder.hpp"
-#include "postproc/profile_extraction.hpp"
+#include "common/extraction/profile_extraction.hpp"
 #include "postproc/profile_set.hpp"
 
 namespace thalweg {

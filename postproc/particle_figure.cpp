@@ -9,7 +9,7 @@
 #include "common/whole_file.hpp"
 #include "postproc/figure_look.hpp"
 #include "postproc/figures.hpp"
-#include "postproc/volume_fraction.hpp"
+#include "common/extraction/volume_fraction.hpp"
 
 namespace thalweg {
 namespace {

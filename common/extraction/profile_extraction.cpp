@@ -1,20 +1,20 @@
-#include "postproc/profile_extraction.hpp"
+#include "common/extraction/profile_extraction.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "common/error.hpp"
-#include "postproc/connected_body.hpp"
-#include "postproc/volume_fraction.hpp"
-#include "postproc/wall_runs.hpp"
+#include "common/extraction/bodies.hpp"
+#include "common/extraction/volume_fraction.hpp"
+#include "common/extraction/wall_runs.hpp"
 
 namespace thalweg {
 namespace {
 
 // The plane's grid: over the settings' range, narrowed to the particles, with the kernel's reach around the fluid.
-std::optional<SliceGrid> grid_around(const ParticleSet& particles, const ExtractionSettings& settings,
-                                     const WallRuns& walls) {
+std::optional<SamplingGrid> grid_around(const ParticleSet& particles, const ExtractionSettings& settings,
+                                        const WallRuns& walls) {
   const double spacing = particles.info.spacing;
   const double reach = 2 * particles.info.smoothing_length + spacing;
   const double infinite = std::numeric_limits<double>::infinity();
@@ -35,22 +35,7 @@ std::optional<SliceGrid> grid_around(const ParticleSet& particles, const Extract
   return make_slice_grid(spacing / 2, x_from, x_to, z_from, z_to, settings.plane_y);
 }
 
-bool is_slow(const ParticleSet& particles, std::size_t i, double speed) { return particles.velocity[i].norm() < speed; }
-
-// Height of a phase's body over a column's floor; the floor itself where the body is less than a layer.
-double top_or_floor(const ConnectedBody& body, std::size_t column, double floor, double least_thickness) {
-  const double top = body.top(column);
-  return std::isnan(top) || (!std::isnan(floor) && top - floor < least_thickness) ? floor : top;
-}
-
 }  // namespace
-
-bool has_sediment_states(const ParticleSet& particles) {
-  for (std::size_t i = 0; i < particles.state.size(); ++i) {
-    if (particles.type[i] == ParticleType::sediment && particles.state[i] != SedimentState::none) return true;
-  }
-  return false;
-}
 
 ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionSettings& settings) {
   const double spacing = particles.info.spacing;
@@ -58,42 +43,26 @@ ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionS
     throw InputError("the particle file does not say its spacing and smoothing length; write it with thalweg-solver");
   }
   ExtractedProfile result;
-  const bool has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
-  const bool states = has_sediment_states(particles);
-  const bool knows_rest = has_sediment && (states || !particles.velocity.empty());
+  const bool has_sediment = holds_sediment(particles);
+  const bool has_rest = knows_rest(particles);
 
   const WallRuns walls = find_wall_runs(particles, spacing);
-  const std::optional<SliceGrid> found = grid_around(particles, settings, walls);
+  const std::optional<SamplingGrid> found = grid_around(particles, settings, walls);
   if (!found) return result;
-  const SliceGrid& grid = *found;
-  const VolumeFractions sums = sum_volume_fractions(particles, walls, grid, [&](std::size_t i) {
-    if (states && particles.state[i] != SedimentState::deposit) return false;
-    if (particles.velocity.empty()) return states;
-    return is_slow(particles, i, settings.rest_speed);
-  });
-  const ConnectedBody fluid(sums, sums.fluid);
-  const std::optional<ConnectedBody> sediment =
-      has_sediment ? std::make_optional<ConnectedBody>(sums, sums.sediment) : std::nullopt;
-  const std::optional<ConnectedBody> resting =
-      knows_rest ? std::make_optional<ConnectedBody>(sums, sums.resting) : std::nullopt;
+  const SamplingGrid& grid = *found;
+  const VolumeFractions sums = sum_volume_fractions(particles, parts_of(particles, settings.rest_speed), walls, grid);
+  const Bodies bodies(sums, spacing, has_sediment, has_rest);
 
-  const double least_thickness = least_layer * spacing;
   Profile& profile = result.profile;
   for (std::size_t i = grid.first_x % 2 == 0 ? 0 : 1; i < grid.nx; i += 2) {  // every second node: multiples of dp
-    const double surface = fluid.top(i);
-    const double floor = fluid.base(i);
-    const bool empty = !(surface - floor >= least_thickness);
+    const ColumnLevels levels = bodies.levels(i);
     profile.x.push_back(grid.x(i));
-    profile.free_surface.push_back(empty ? Profile::missing : surface);
-    result.floor.push_back(floor);
-    // Kernel sums of a part never exceed those of the whole, but rounding at a bare floor may.
-    const double bed = has_sediment ? std::min(top_or_floor(*sediment, i, floor, least_thickness), surface) : floor;
-    if (has_sediment) profile.bed.push_back(empty ? Profile::missing : bed);
-    if (!knows_rest) continue;
-    const double moving = std::min(top_or_floor(*resting, i, floor, least_thickness), bed);
-    profile.moving_bed.push_back(empty ? Profile::missing : moving);
+    profile.free_surface.push_back(levels.free_surface);
+    result.floor.push_back(levels.floor);
+    if (has_sediment) profile.bed.push_back(levels.bed);
+    if (has_rest) profile.moving_bed.push_back(levels.motionless_bed);
   }
-  result.front = water_front(profile, result.floor, least_thickness);
+  result.front = water_front(profile, result.floor, bodies.least_thickness);
   return result;
 }
 
