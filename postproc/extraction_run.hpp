@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/case.hpp"
-#include "common/run_folder.hpp"
 #include "common/extraction/profile_extraction.hpp"
+#include "common/run_folder.hpp"
 #include "postproc/profile_set.hpp"
 
 namespace thalweg {
