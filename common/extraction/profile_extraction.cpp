@@ -27,8 +27,12 @@ std::optional<SamplingGrid> grid_around(const ParticleSet& particles, const Extr
     if (is_fluid(particles.type[i])) high.z() = std::max(high.z(), at.z());
   }
   if (!std::isfinite(high.z())) return std::nullopt;
-  const double x_from = std::max({low.x() - spacing, settings.x_from, walls.open_from});
-  const double x_to = std::min({high.x() + spacing, settings.x_to, walls.open_to});
+  double x_from = std::max(low.x() - spacing, settings.x_from);
+  double x_to = std::min(high.x() + spacing, settings.x_to);
+  if (settings.narrow_to_walls) {
+    x_from = std::max(x_from, walls.open_from);
+    x_to = std::min(x_to, walls.open_to);
+  }
   const double z_from = std::max(low.z() - reach, settings.z_from);
   const double z_to = std::min(high.z() + reach, settings.z_to);
   if (x_from > x_to || z_from > z_to) return std::nullopt;

@@ -17,7 +17,8 @@ struct ExtractionSettings {
   double z_from = -std::numeric_limits<double>::infinity();  // [m] nothing outside is looked at
   double z_to = std::numeric_limits<double>::infinity();     // [m]
   double plane_y = 0;                                        // [m] 3-D: the plane of the profile
-  double rest_speed = 0.01;  // [m/s] slower sediment rests; where there is State, deposits only
+  bool narrow_to_walls = true;  // false: particles around a place, whose walls do not show where the flow ends
+  double rest_speed = 0.01;     // [m/s] slower sediment rests; where there is State, deposits only
 };
 
 /// A profile and what it was measured from.
