@@ -125,16 +125,17 @@ class Pass {
     for (const fs::path& file : old) fs::remove(file);
   }
 
-  // The heights from which the bed's change counts, of the first snapshot that can be read.
+  // The heights from which the bed's change counts, of the first snapshot that can be read; it is measured on the way.
   bool prepare() {
     for (const SeriesEntry& entry : entries_) {
-      try {
+      started_.insert(entry.file);
+      if (done_.contains(entry.file)) {
         initial_ = initial_levels(read_particles(entry.file), settings_);
         return true;
-      } catch (const InputError& error) {
-        warnings_.emplace_back(std::string("skipped: ") + error.what());
-        failed_.insert(entry.file);
       }
+      const Outcome outcome = measure_one(entry, nullptr, &initial_);
+      take_outcome(outcome);
+      if (outcome.failure.empty()) return true;
     }
     return false;
   }
@@ -142,12 +143,14 @@ class Pass {
   void measure(const std::vector<const SeriesEntry*>& open) {
     std::size_t next = 0;
     const auto take = [&](tbb::flow_control& control) {
-      while (next < open.size() && failed_.contains(open[next]->file)) ++next;
+      while (next < open.size() && started_.contains(open[next]->file)) ++next;
       if (next == open.size()) control.stop();
       return next++;
     };
     using Token = std::shared_ptr<Outcome>;
-    const auto work = [&](std::size_t n) { return std::make_shared<Outcome>(measure_one(*open[n])); };
+    const auto work = [&](std::size_t n) {
+      return std::make_shared<Outcome>(measure_one(*open[n], &initial_, nullptr));
+    };
     const auto record = [&](const Token& outcome) { take_outcome(*outcome); };
     using enum tbb::filter_mode;
     tbb::parallel_pipeline(at_once(open), tbb::make_filter<void, std::size_t>(serial_in_order, take) &
@@ -155,10 +158,11 @@ class Pass {
                                               tbb::make_filter<Token, void>(serial_in_order, record));
   }
 
-  [[nodiscard]] Outcome measure_one(const SeriesEntry& entry) const {
+  [[nodiscard]] Outcome measure_one(const SeriesEntry& entry, const LevelMap* initial, LevelMap* own) const {
     Outcome outcome{&entry, {name_of_file(entry), version_of(entry.file), {}}, {}};
     try {
-      outcome.measured.measures = measure_snapshot(read_particles(entry.file), entry.time, run_, settings_, initial_);
+      outcome.measured.measures =
+          measure_snapshot(read_particles(entry.file), entry.time, run_, settings_, initial, own);
     } catch (const InputError& error) {
       outcome.failure = error.what();
     }
@@ -197,7 +201,7 @@ class Pass {
   std::string made_with_;
   std::map<std::string, MeasuredSnapshot> known_;  // by earlier passes
   std::map<fs::path, MeasuredSnapshot> done_;
-  std::set<fs::path> failed_;
+  std::set<fs::path> started_;  // before the others
   LevelMap initial_;
   std::vector<std::string> warnings_;
   std::size_t reused_ = 0;

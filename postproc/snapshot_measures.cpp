@@ -101,7 +101,7 @@ LevelMap initial_levels(const ParticleSet& particles, const MeasureSettings& set
 }
 
 SnapshotMeasures measure_snapshot(const ParticleSet& particles, double time, const RunFolder& run,
-                                  const MeasureSettings& settings, const LevelMap& initial) {
+                                  const MeasureSettings& settings, const LevelMap* initial, LevelMap* own) {
   const SnapshotFiles files = files_at(time, run, settings);
   const double spacing = particles.info.spacing;
   SnapshotMeasures measures;
@@ -123,8 +123,11 @@ SnapshotMeasures measure_snapshot(const ParticleSet& particles, double time, con
 
   const CellList cells = cells_of(particles);
   if (const auto field = make_surface_field(particles, cells, settings.profile)) {
-    if (field->bodies.sediment) measures.balance = bed_balance(initial, level_map(*field));
-    if (settings.surfaces) write_surfaces(particles, cells, *field, initial, files);
+    LevelMap now = level_map(*field);
+    const LevelMap& before = initial != nullptr ? *initial : now;
+    if (field->bodies.sediment) measures.balance = bed_balance(before, now);
+    if (settings.surfaces) write_surfaces(particles, cells, *field, before, files);
+    if (own != nullptr) *own = std::move(now);
   }
   return measures;
 }

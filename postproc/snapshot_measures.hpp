@@ -51,9 +51,10 @@ SnapshotFiles files_at(double time, const RunFolder& run, const MeasureSettings&
 /// The heights of the first snapshot's columns, from which the bed's change counts. Without fluid, an empty map.
 LevelMap initial_levels(const ParticleSet& particles, const MeasureSettings& settings);
 
-/// Measures a snapshot and writes its profiles and surfaces. Throws InputError where it cannot be measured, RunError
-/// where its results cannot be written.
+/// Measures a snapshot and writes its profiles and surfaces. The bed's change counts from `initial` or, for the first
+/// snapshot, which has none, from the snapshot itself, whose heights then come back in `own`. Throws InputError where
+/// it cannot be measured, RunError where its results cannot be written.
 SnapshotMeasures measure_snapshot(const ParticleSet& particles, double time, const RunFolder& run,
-                                  const MeasureSettings& settings, const LevelMap& initial);
+                                  const MeasureSettings& settings, const LevelMap* initial, LevelMap* own = nullptr);
 
 }  // namespace thalweg
