@@ -399,6 +399,7 @@ struct Output {
   double interval = 0;          // [s]
   std::vector<double> times;    // [s]
   double history_interval = 0;  // [s]
+  double gauge_interval = 0;    // [s]
 
   template <class V>
   void describe(V& v) {
@@ -407,6 +408,51 @@ struct Output {
     v.quantities("times", times, "s", 0, 1e9, "Further times at which a snapshot is written, hit exactly.");
     v.quantity("history_interval", history_interval, "s", 0, 1e9,
                "Time between rows of history.csv; 0: a hundredth of the run.");
+    v.quantity("gauge_interval", gauge_interval, "s", 0, 1e9,
+               "Time between rows of gauges.csv; 0: a thousandth of the run.");
+  }
+};
+
+enum class GaugeKind { water_level, pressure, velocity, flux };
+
+inline constexpr std::array<Choice<GaugeKind>, 4> choices(GaugeKind) {
+  return {{{GaugeKind::water_level, "water level", "height of the free surface, and of the bed, over `at`"},
+           {GaugeKind::pressure, "pressure", "of the fluid at `at`"},
+           {GaugeKind::velocity, "velocity", "of the fluid at `at`"},
+           {GaugeKind::flux, "flux",
+            "volumes of water and of sediment, pores included, that cross the rectangle between `from` and `to` in a "
+            "second, counted along the axis"}}};
+}
+
+/// One [[gauge]]: what is measured during the run, without snapshots.
+struct Gauge {
+  std::string name;
+  GaugeKind kind = GaugeKind::water_level;
+  Vec3 at = Vec3::Zero();    // [m]
+  Vec3 from = Vec3::Zero();  // [m]
+  Vec3 to = Vec3::Zero();    // [m]
+
+  template <class V>
+  void describe(V& v) {
+    v.text("name", name, "Name of the gauge, unique in the case; heads its columns in gauges.csv.");
+    v.choice("kind", kind, "What it measures.");
+    v.point("at", at, "m", "water level, pressure, velocity: where; of a water level the height means nothing.");
+    v.point("from", from, "m", "flux: one corner of a rectangle across an axis.");
+    v.point("to", to, "m", "flux: the opposite corner, equal to `from` along that axis.");
+  }
+};
+
+/// One [[line]]: where profiles are taken beside the one along x.
+struct ProfileLine {
+  std::string name;
+  std::vector<double> from;  // [m] x, y
+  std::vector<double> to;    // [m] x, y
+
+  template <class V>
+  void describe(V& v) {
+    v.text("name", name, "Name of the line, unique in the case; names its folder in profiles/.");
+    v.quantities("from", from, "m", -1e9, 1e9, "Its start in plan: x, y.");
+    v.quantities("to", to, "m", -1e9, 1e9, "Its end in plan: x, y.");
   }
 };
 
@@ -451,6 +497,8 @@ struct Case {
   Model model;
   Numerics numerics;
   Output output;
+  std::vector<Gauge> gauges;
+  std::vector<ProfileLine> lines;
   Compare compare;
   Foam foam;
 

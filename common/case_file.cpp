@@ -44,22 +44,28 @@ const toml::table& as_table(const toml::node& node, const std::string& name, con
   return *node.as_table();
 }
 
-void check_shapes(const toml::node& node, const std::string& file) {
+// `list` is "shape", "gauge" …
+void check_list(const toml::node& node, const std::string& list, const std::string& file) {
   if (!node.is_array() || !node.as_array()->is_homogeneous(toml::node_type::table)) {
-    reject_case(where_is(node, file), "shape is no list of tables", "write [[shape]] above each shape");
+    reject_case(where_is(node, file), fmt::format("{} is no list of tables", list),
+                fmt::format("write [[{0}]] above each {0}", list));
   }
   std::set<std::string> names;
-  for (const toml::node& shape : *node.as_array()) {
-    const toml::table& table = *shape.as_table();
-    const std::string name = name_of_shape(table);
+  for (const toml::node& entry : *node.as_array()) {
+    const toml::table& table = *entry.as_table();
+    const std::string name = name_of_entry(table);
     const toml::node* name_node = table.get("name");
-    if (name_node == nullptr) reject_case(where_is(shape, file), "a shape has no name", "add name = \"...\"");
-    if (name.empty()) reject_case(where_is(*name_node, file), "a shape's name must be a text", "write name = \"...\"");
+    if (name_node == nullptr) {
+      reject_case(where_is(entry, file), fmt::format("a {} has no name", list), "add name = \"...\"");
+    }
+    if (name.empty()) {
+      reject_case(where_is(*name_node, file), fmt::format("a {}'s name must be a text", list), "write name = \"...\"");
+    }
     if (!names.insert(name).second) {
       reject_case(where_is(*name_node, file), fmt::format("the name \"{}\" is used twice", name),
-                  "rename one of the shapes");
+                  fmt::format("rename one of the {}s", list));
     }
-    check_keys(table, *find_table("shape"), "shape." + name, file);
+    check_keys(table, *find_table(list), fmt::format("{}.{}", list, name), file);
   }
 }
 
@@ -77,14 +83,14 @@ void check_shapes(const toml::node& node, const std::string& file) {
 }
 
 void check_names(const toml::table& root, const std::string& file) {
-  std::vector<std::string> known{"shape", "materials"};
+  std::vector<std::string> known{"shape", "gauge", "line", "materials"};
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name.find_first_of("[.") == std::string::npos) known.push_back(table.name);
   }
   for (const auto& [name, node] : root) {
     const std::string table(name.str());
-    if (table == "shape") {
-      check_shapes(node, file);
+    if (is_list_of_tables(table)) {
+      check_list(node, table, file);
     } else if (table == "materials") {
       for (const auto& [material, values] : as_table(node, table, file)) {
         const std::string path = "materials." + std::string(material.str());
@@ -118,7 +124,8 @@ class CaseReader {
     if (root_["model"]["implementation"].value<std::string>() == "paper") take_printed_defaults();
     for_each_table(
         result_, [&](const TableHeading& heading, auto& table) { read_table(heading.name, table); },
-        [&] { read_shapes(); }, [&] { read_sediments(); });
+        [&] { read_list("shape", result_.shapes); }, [&] { read_sediments(); },
+        [&] { read_list("gauge", result_.gauges), read_list("line", result_.lines); });
     name_materials();
     check_case(result_, origins_);
     return std::move(result_);
@@ -139,14 +146,16 @@ class CaseReader {
     table.describe(reader);
   }
 
-  void read_shapes() {
-    const toml::array* shapes = root_["shape"].as_array();
-    if (shapes == nullptr) return;
-    for (const toml::node& node : *shapes) {
-      Shape& shape = result_.shapes.emplace_back();
-      TableReader reader(node.as_table(), "shape." + name_of_shape(*node.as_table()), result_.info.dimension, origins_);
-      shape.describe(reader);
-      shape.line = static_cast<int>(node.source().begin.line);
+  template <class Entry>
+  void read_list(const std::string& list, std::vector<Entry>& entries) {
+    const toml::array* nodes = root_[list].as_array();
+    if (nodes == nullptr) return;
+    for (const toml::node& node : *nodes) {
+      Entry& entry = entries.emplace_back();
+      const std::string path = fmt::format("{}.{}", list, name_of_entry(*node.as_table()));
+      TableReader reader(node.as_table(), path, result_.info.dimension, origins_);
+      entry.describe(reader);
+      if constexpr (std::is_same_v<Entry, Shape>) entry.line = static_cast<int>(node.source().begin.line);
     }
   }
 

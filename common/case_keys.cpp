@@ -110,11 +110,18 @@ std::vector<TableDeclaration> collect_all() {
   Shape shape;
   shape.from = shape.to = shape.center = Vec3::Constant(required);
   shape.radius = required;
+  Gauge gauge;
+  gauge.at = gauge.from = gauge.to = Vec3::Constant(required);
+  ProfileLine line;
   SedimentParameters sediment;
   for_each_table(
       defaults, [&](const TableHeading& heading, auto& table) { tables.push_back(collect(heading, table)); },
       [&] { tables.push_back(collect(shape_heading, shape)); },
-      [&] { tables.push_back(collect(sediment_heading, sediment)); });
+      [&] { tables.push_back(collect(sediment_heading, sediment)); },
+      [&] {
+        tables.push_back(collect(gauge_heading, gauge));
+        tables.push_back(collect(line_heading, line));
+      });
   return tables;
 }
 
@@ -137,7 +144,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string KeyDeclaration::full_name() const {
-  return fmt::format("{}.{}", table == shape_heading.name ? "shape" : table, name);
+  return fmt::format("{}.{}", is_list() ? table.substr(1, table.size() - 2) : table, name);
 }
 
 const std::vector<TableDeclaration>& case_declarations() {
@@ -148,6 +155,8 @@ const std::vector<TableDeclaration>& case_declarations() {
 const TableDeclaration* find_table(std::string_view name) {
   std::string_view wanted = name;
   if (wanted == "shape") wanted = shape_heading.name;
+  if (wanted == "gauge") wanted = gauge_heading.name;
+  if (wanted == "line") wanted = line_heading.name;
   if (wanted.starts_with("materials.") && wanted != water_heading.name) wanted = sediment_heading.name;
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name == wanted) return &table;

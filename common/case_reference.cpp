@@ -56,7 +56,7 @@ std::string range_text(const KeyDeclaration& key) {
 // Whether a key without default is needed always, or only by some kinds of shape.
 std::string default_text(const KeyDeclaration& key) {
   if (!key.required) return key.default_text;
-  return key.table == shape_heading.name ? "required by some kinds" : "required";
+  return key.is_list() ? "required by some kinds" : "required";
 }
 
 void explain_key(std::ostream& to, const KeyDeclaration& key) {
@@ -114,8 +114,8 @@ Json value_schema(const KeyDeclaration& key) {
 Json table_schema(const TableDeclaration& table) {
   Json properties = Json::object();
   Json needed = Json::array();
-  const bool is_shape = table.name == shape_heading.name;
-  if (is_shape) needed.push_back("name");
+  const bool is_list = table.name.starts_with('[');
+  if (is_list) needed.push_back("name");
   for (const KeyDeclaration& key : table.keys) {
     Json value = value_schema(key);
     std::string description = key.sentence;
@@ -123,7 +123,7 @@ Json table_schema(const TableDeclaration& table) {
     description += fmt::format(" Default: {}.", default_text(key));
     value["description"] = description;
     properties[key.name] = value;
-    if (key.required && !is_shape) needed.push_back(key.name);
+    if (key.required && !is_list) needed.push_back(key.name);
   }
   Json schema{{"type", "object"}, {"description", table.meaning}, {"properties", properties}};
   if (!needed.empty()) schema["required"] = needed;
@@ -205,8 +205,8 @@ A case is a TOML file. Quantities are texts with a unit, read by UDUNITS: `spaci
 in 2-D, `["x", "y", "z"]` in 3-D. A missing or wrong unit, an unknown key or a value out of range is an error with file
 and line.
 
-On the command line `--set table.key=value` overrides a key, `--set shape.NAME.key=value` one of a shape and
-`--set materials.NAME.key=value` one of a material.
+On the command line `--set table.key=value` overrides a key, `--set shape.NAME.key=value` one of a shape (likewise
+`gauge.NAME.key`, `line.NAME.key`) and `--set materials.NAME.key=value` one of a material.
 
 Which geometry a shape needs follows from its kind: a box `from` and `to`; a cylinder `from`, `to` and `radius` (in 2-D
 `center` and `radius`); a cone `from`, `to` and `radius`; a sphere `center` and `radius`; a prism `polygon` and, in 3-D,
@@ -214,7 +214,7 @@ Which geometry a shape needs follows from its kind: a box `from` and `to`; a cyl
 intersection `of`. A key that means nothing for a shape is an error. `docs/geometry.md` shows each of them.
 )");
   for (const TableDeclaration& table : case_declarations()) {
-    const bool repeated = table.name == shape_heading.name;
+    const bool repeated = table.name.starts_with('[');
     fmt::print(markdown, "\n## `[{}]`\n\n{}\n\n", table.name, table.meaning);
     fmt::print(markdown, "| key | value | default | range | meaning |\n|---|---|---|---|---|\n");
     for (const KeyDeclaration& key : table.keys) {
@@ -235,6 +235,9 @@ void write_key_schema(std::ostream& json) {
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name == shape_heading.name) {
       properties["shape"] = {{"type", "array"}, {"items", table_schema(table)}};
+    } else if (table.name == gauge_heading.name || table.name == line_heading.name) {
+      const std::string list = table.name.substr(1, table.name.size() - 2);
+      properties[list] = {{"type", "array"}, {"items", table_schema(table)}};
     } else if (table.name == water_heading.name) {
       materials["properties"]["water"] = table_schema(table);
     } else if (table.name == sediment_heading.name) {

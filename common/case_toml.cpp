@@ -37,17 +37,18 @@ toml::table parse_override_value(const std::string& value, const std::string& so
   return toml::parse("value = " + quoted.str(), source);
 }
 
-toml::table& shape_to_override(toml::table& root, const std::string& name, const std::string& source) {
+toml::table& entry_to_override(toml::table& root, const std::string& list, const std::string& name,
+                               const std::string& source) {
   std::vector<std::string> names;
-  if (toml::array* shapes = root["shape"].as_array()) {
-    for (toml::node& shape : *shapes) {
-      if (!shape.is_table()) continue;
-      names.push_back(name_of_shape(*shape.as_table()));
-      if (names.back() == name) return *shape.as_table();
+  if (toml::array* entries = root[list].as_array()) {
+    for (toml::node& entry : *entries) {
+      if (!entry.is_table()) continue;
+      names.push_back(name_of_entry(*entry.as_table()));
+      if (names.back() == name) return *entry.as_table();
     }
   }
-  reject_case(source, fmt::format("there is no shape \"{}\"", name),
-              fmt::format("the shapes are {}", fmt::join(names, ", ")));
+  reject_case(source, fmt::format("there is no {} \"{}\"", list, name),
+              fmt::format("the {}s are {}", list, fmt::join(names, ", ")));
 }
 
 toml::table& material_to_override(toml::table& root, const std::string& name, const std::string& source) {
@@ -67,9 +68,10 @@ toml::table& material_to_override(toml::table& root, const std::string& name, co
 }
 
 toml::table& table_to_override(toml::table& root, const std::vector<std::string>& key, const std::string& source) {
-  if (key.size() == 3 && key[0] == "shape") return shape_to_override(root, key[1], source);
+  const bool is_list = !key.empty() && is_list_of_tables(key[0]);
+  if (key.size() == 3 && is_list) return entry_to_override(root, key[0], key[1], source);
   if (key.size() == 3 && key[0] == "materials") return material_to_override(root, key[1], source);
-  if (key.size() != 2 || key[0] == "shape" || key[0] == "materials") {
+  if (key.size() != 2 || is_list || key[0] == "materials") {
     reject_case(
         source, "not a key",
         "write table.key=value, shape.NAME.key=value or materials.NAME.key=value; `thalweg explain` lists the keys");
@@ -93,7 +95,9 @@ std::string where_is(const toml::node& node, const std::string& file) {
   return fmt::format("{}:{}", *source.path, source.begin.line);
 }
 
-std::string name_of_shape(const toml::table& shape) { return shape["name"].value_or(std::string()); }
+std::string name_of_entry(const toml::table& entry) { return entry["name"].value_or(std::string()); }
+
+bool is_list_of_tables(std::string_view name) { return name == "shape" || name == "gauge" || name == "line"; }
 
 toml::table parse_case_toml(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <ostream>
 #include <sstream>
 
@@ -23,11 +24,12 @@ std::string toml_text(const std::string& text) {
 // The shortest digits that read back as the same number.
 std::string quantity_text(double value, const char* unit) { return fmt::format("\"{} {}\"", value, unit); }
 
-// Visits a table and prints its keys; a shape only those that mean something for it.
+// Visits a table and prints its keys, of an entry of a list only those that `uses` it.
 class TableWriter {
  public:
-  TableWriter(std::ostream& to, int dimension, const Shape* shape = nullptr)
-      : to_(to), dimension_(dimension), shape_(shape) {}
+  using UsesKey = std::function<bool(const char*)>;
+  TableWriter(std::ostream& to, int dimension, UsesKey uses = nullptr)
+      : to_(to), dimension_(dimension), uses_(std::move(uses)) {}
 
   void quantity(const char* key, double& value, const char* unit, double, double, const char*) {
     if (!std::isnan(value)) line(key, quantity_text(value, unit));
@@ -69,7 +71,7 @@ class TableWriter {
 
  private:
   void line(const char* key, const std::string& value) {
-    if (shape_ == nullptr || shape_uses_key(*shape_, key, dimension_)) fmt::print(to_, "{} = {}\n", key, value);
+    if (!uses_ || uses_(key)) fmt::print(to_, "{} = {}\n", key, value);
   }
   void list(const char* key, const std::vector<std::string>& entries) {
     line(key, fmt::format("[{}]", fmt::join(entries, ", ")));
@@ -77,7 +79,7 @@ class TableWriter {
 
   std::ostream& to_;
   int dimension_;
-  const Shape* shape_;
+  UsesKey uses_;
 };
 
 void write_values(std::ostream& to, Case values) {
@@ -90,16 +92,28 @@ void write_values(std::ostream& to, Case values) {
   const auto write_shapes = [&] {
     for (Shape& shape : values.shapes) {
       fmt::print(to, "\n[[shape]]\n");
-      TableWriter writer(to, dimension, &shape);
+      TableWriter writer(to, dimension, [&](const char* key) { return shape_uses_key(shape, key, dimension); });
       shape.describe(writer);
     }
   };
   const auto write_sediments = [&] {
     for (auto& [name, sediment] : values.sediments) write_table("materials." + toml_text(name), sediment);
   };
+  const auto write_gauges = [&] {
+    for (Gauge& gauge : values.gauges) {
+      fmt::print(to, "\n[[gauge]]\n");
+      TableWriter writer(to, dimension, [&](const char* key) { return gauge_uses_key(gauge, key); });
+      gauge.describe(writer);
+    }
+    for (ProfileLine& line : values.lines) {
+      fmt::print(to, "\n[[line]]\n");
+      TableWriter writer(to, dimension);
+      line.describe(writer);
+    }
+  };
   for_each_table(
       values, [&](const TableHeading& heading, auto& table) { write_table(heading.name, table); }, write_shapes,
-      write_sediments);
+      write_sediments, write_gauges);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 int run(int argc, char** argv) {
   thalweg::PostprocessOptions options;
   CLI::App app{
-      "Extracts free surface, bed and moving bed from a run's snapshots, compares them with a mesh model and with "
+      "Extracts surfaces, profiles and their series from a run's snapshots, compares them with a mesh model and with "
       "measurements, and writes a report.",
       "thalweg-postproc"};
   std::vector<std::filesystem::path> folders;
@@ -23,6 +23,10 @@ int run(int argc, char** argv) {
   app.add_option("--compare", options.compare,
                  "further profiles: a file (t0.250.csv), a folder of them, or another run; LABEL=PATH names the source")
       ->type_name("[LABEL=]PATH");
+  app.add_option("--line", options.lines,
+                 "3-D: a further line in plan for profiles, \"NAME=0 m,0.1 m,1 m,0.1 m\": x and y of its ends")
+      ->type_name("NAME=X0,Y0,X1,Y1");
+  app.add_flag("!--no-surfaces", options.surfaces, "write no surfaces/*.vtp and *.stl");
   app.add_flag("--report", options.report, "draw the pictures and write report/index.html (needs gnuplot)");
   app.add_flag("--3d", options.in_space,
                "the report with bed and free surface to turn about, and a slider for the time");

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
+#include "common/extraction/volume_fraction.hpp"
 #include "common/whole_file.hpp"
 #include "postproc/figure_look.hpp"
 #include "postproc/figures.hpp"
-#include "postproc/volume_fraction.hpp"
 
 namespace thalweg {
 namespace {

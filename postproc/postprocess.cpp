@@ -12,6 +12,7 @@
 #include "postproc/comparison.hpp"
 #include "postproc/embedded.hpp"
 #include "postproc/extraction_run.hpp"
+#include "postproc/line_profile.hpp"
 #include "postproc/movie.hpp"
 #include "postproc/paper_figures.hpp"
 #include "postproc/report.hpp"
@@ -100,11 +101,18 @@ Exit postprocess(const PostprocessOptions& options) {
   input.compare_arguments = options.compare;
   std::vector<ProfileSet> named = read_named_sets(options.compare);  // before the work: a wrong name costs no waiting
 
-  input.extraction = extract_run(run, input.resolved);
+  ExtractionOptions extraction{{}, options.surfaces};
+  for (const std::string& line : options.lines) {
+    extraction.lines.push_back(parse_line(line));
+    if (input.resolved.info.dimension == 2) throw InputError("--line " + line + ": a 2-D run has one profile, along x");
+  }
+  input.extraction = extract_run(run, input.resolved, extraction);
   input.warnings = input.extraction.warnings;
   write_whole_text(run.view_script(), [](std::ostream& stream) { stream << embedded::view_script; });
-  fmt::print("{} snapshots, {} profiles in {}\n", input.extraction.fronts.size(), input.extraction.written.size(),
-             run.profiles().string());
+  fmt::print(
+      "{} snapshots{}, {} profiles in {}\n", input.extraction.fronts.size(),
+      input.extraction.reused > 0 ? fmt::format(" ({} as an earlier pass left them)", input.extraction.reused) : "",
+      input.extraction.written.size(), run.profiles().string());
 
   input.sets.push_back({"Thalweg SPH", SourceKind::run, run.profiles(), input.extraction.written});
   add_mesh_models(run, input);

@@ -141,7 +141,7 @@ SpaceScene make_space_scene(const ReportInput& input) {
         "--3d: this program was built without vtk.js, for want of npm or a network; install npm and build again";
     return scene;
   }
-  const fs::path folder = input.run.root / "surfaces";
+  const fs::path folder = input.run.surfaces();
   std::map<double, nlohmann::json> frames;
   double largest = 0;
   add_surfaces(folder / "bed.pvd", "bed", frames, largest, scene);

@@ -7,7 +7,7 @@
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
 #include "postproc/comparison.hpp"
-#include "postproc/profile_extraction.hpp"
+#include "common/extraction/profile_extraction.hpp"
 
 namespace thalweg::test {
 namespace {
