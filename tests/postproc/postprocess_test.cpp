@@ -82,8 +82,8 @@ TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
   EXPECT_NEAR(std::stod(last[1]), SyntheticRun::front_speed * 0.5, 2 * SyntheticRun::spacing);
 
   const std::string errors = contents_of(run.report() / "errors.csv");
-  EXPECT_THAT(errors, HasSubstr("\nmeasured,Thalweg SPH,bed,0.25,3,"));
-  EXPECT_THAT(errors, HasSubstr("\nOpenFOAM 10 mm,Thalweg SPH,free_surface,0.5,"));
+  EXPECT_THAT(errors, HasSubstr("\nmeasured,Thalweg SPH,,bed,0.25,3,"));
+  EXPECT_THAT(errors, HasSubstr("\nOpenFOAM 10 mm,Thalweg SPH,,free_surface,0.5,"));
   EXPECT_THAT(errors, HasSubstr("OpenFOAM 20 mm has no moving_bed, not compared"));
 
   for (const char* picture : {"t0.250.svg", "t0.500.png", "front.svg", "energies.svg", "particles.png", "t0.250.gp"}) {
