@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
   app.add_option("--line", options.lines,
                  "3-D: a further line in plan for profiles, \"NAME=0 m,0.1 m,1 m,0.1 m\": x and y of its ends")
       ->type_name("NAME=X0,Y0,X1,Y1");
+  app.add_option("--repeat", options.repeats, "folders of runs that should give the same, for the scatter of the run")
+      ->type_name("DIR");
   app.add_flag("!--no-surfaces", options.surfaces, "write no surfaces/*.vtp and *.stl");
   app.add_flag("--report", options.report, "draw the pictures and write report/index.html (needs gnuplot)");
   app.add_flag("--3d", options.in_space,

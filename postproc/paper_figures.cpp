@@ -112,7 +112,7 @@ std::string PaperSet::rmse(const ProfileSet& reference, double time) const {
   for (const Curve& curve : curves) {
     for (const CurveError& error : input_.comparison.errors) {
       if (error.reference != reference.label || error.compared != input_.sets.front().label) continue;
-      if (error.curve != curve.name || std::abs(error.time - time) > same_time) continue;
+      if (!error.line.empty() || error.curve != curve.name || std::abs(error.time - time) > same_time) continue;
       found.push_back(fmt::format("{} {:.1f} mm", curve.title, 1e3 * error.rmse));
     }
   }

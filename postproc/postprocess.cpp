@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 
 #include "common/case_file.hpp"
 #include "common/run_folder.hpp"
@@ -89,6 +88,71 @@ void add_measurements(const Case& resolved, ReportInput& input) {
   }
 }
 
+constexpr const char* run_label = "Thalweg SPH";
+
+// The sources' profiles along a line, of the run those at the times it is compared at.
+std::vector<ProfileSet> sets_along(const std::string& line, const ReportInput& input) {
+  std::vector<ProfileSet> sets;
+  for (const ProfileSet& source : input.sets) {
+    std::optional<ProfileSet> set = read_line_set(source, line);
+    if (!set) continue;
+    if (source.kind == SourceKind::run) {
+      std::erase_if(set->profiles, [&](const TimedProfile& timed) { return source.at(timed.time) == nullptr; });
+    }
+    sets.push_back(std::move(*set));
+  }
+  return sets;
+}
+
+// What runs that should agree differ by: as measured for the case, or of the runs given.
+std::vector<Scatter> scatter_of_run(const ReportInput& input, const std::string& line,
+                                    const std::vector<std::string>& repeats) {
+  std::vector<Scatter> scatter;
+  if (repeats.empty()) {
+    for (const Repeatability& known : input.repeatability)
+      scatter.push_back({"", known.curve, known.time, known.rms, 0});
+    return scatter;
+  }
+  std::vector<ProfileSet> repeated{input.sets.front()};
+  for (const std::string& folder : repeats) repeated.push_back(read_profile_set(folder, run_label, SourceKind::other));
+  if (line.empty()) return scatter_of(repeated);
+  std::vector<ProfileSet> along;
+  for (const ProfileSet& set : repeated) {
+    if (std::optional<ProfileSet> of_line = read_line_set(set, line)) along.push_back(std::move(*of_line));
+  }
+  return scatter_of(along);
+}
+
+void compare_sources(ReportInput& input, const std::vector<ProfileLine>& further_lines,
+                     const std::vector<std::string>& repeats) {
+  const fs::path repeatability = input.resolved.folder / "repeatability.csv";
+  input.repeatability = read_repeatability(repeatability);
+  if (!input.repeatability.empty()) input.repeatability_origin = comments_in(repeatability);
+
+  ComparedRange range;
+  range.least_depth = least_layer * input.extraction.info.spacing;
+  ComparedRange along_x = range;
+  if (input.resolved.compare.to > input.resolved.compare.from) {
+    along_x.from = input.resolved.compare.from;
+    along_x.to = input.resolved.compare.to;
+  }
+  input.comparison = compare_all(input.sets, along_x);
+  add_scatter(input.comparison, run_label, scatter_of_run(input, "", repeats));
+
+  std::vector<ProfileLine> lines = input.resolved.lines;
+  lines.insert(lines.end(), further_lines.begin(), further_lines.end());
+  for (const ProfileLine& line : lines) {
+    const std::vector<ProfileSet> sets = sets_along(line.name, input);
+    Comparison along = compare_all(sets, range);
+    add_scatter(along, run_label, scatter_of_run(input, line.name, repeats));
+    if (sets.size() < 2) along.remarks.push_back("line " + line.name + ": only the run has profiles along it");
+    Comparison& all = input.comparison;
+    std::move(along.errors.begin(), along.errors.end(), std::back_inserter(all.errors));
+    std::move(along.scalars.begin(), along.scalars.end(), std::back_inserter(all.scalars));
+    std::move(along.remarks.begin(), along.remarks.end(), std::back_inserter(all.remarks));
+  }
+}
+
 void warn(const std::string& message) { fmt::print(stderr, "warning: {}\n", message); }
 
 }  // namespace
@@ -114,18 +178,16 @@ Exit postprocess(const PostprocessOptions& options) {
       input.extraction.reused > 0 ? fmt::format(" ({} as an earlier pass left them)", input.extraction.reused) : "",
       input.extraction.written.size(), run.profiles().string());
 
-  input.sets.push_back({"Thalweg SPH", SourceKind::run, run.profiles(), input.extraction.written});
+  input.sets.push_back(
+      {run_label, SourceKind::run, run.profiles(), input.extraction.written, input.extraction.initial});
   add_mesh_models(run, input);
   std::move(named.begin(), named.end(), std::back_inserter(input.sets));
   add_measurements(input.resolved, input);
-  const Compare& range = input.resolved.compare;
-  const double infinite = std::numeric_limits<double>::infinity();
-  input.comparison = range.to > range.from ? compare_all(input.sets, range.from, range.to)
-                                           : compare_all(input.sets, -infinite, infinite);
+  compare_sources(input, extraction.lines, options.repeats);
   for (const std::string& note : input.reference_notes) fmt::print("{}\n", note);
   fmt::print("{}", table_of(input.comparison));
   for (const std::string& remark : input.comparison.remarks) fmt::print("  {}\n", remark);
-  write_errors(run.report() / "errors.csv", input.comparison);
+  write_errors(run.report(), input.comparison);
 
   bool complete = !input.extraction.damaged;
   if (options.paper_figures) fmt::print("\nfigures: {}\n", write_paper_figures(input, options.series).string());
@@ -140,9 +202,6 @@ Exit postprocess(const PostprocessOptions& options) {
   }
   if (options.report || options.in_space) {
     input.in_space = options.in_space;
-    const fs::path repeatability = input.resolved.folder / "repeatability.csv";
-    input.repeatability = read_repeatability(repeatability);
-    if (!input.repeatability.empty()) input.repeatability_origin = comments_in(repeatability);
     input.history = read_history(run.history());
     input.timing = read_timing(run.timing());
     input.summary = read_quantities(run.summary());

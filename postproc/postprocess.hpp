@@ -18,6 +18,7 @@ struct PostprocessOptions {
   std::vector<std::filesystem::path> series{};  // runs of one case at several spacings
   std::vector<std::string> lines{};             // further lines for profiles, "NAME=0 m,0.1 m,1 m,0.1 m"
   bool surfaces = true;                         // surfaces as .vtp and .stl
+  std::vector<std::string> repeats{};           // folders of runs that should give the same
 };
 
 /// Surfaces, profiles, series, comparison and, if asked for, the report of a run. Returns Exit::run_failed, after doing

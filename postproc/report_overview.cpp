@@ -65,6 +65,7 @@ std::string range_of_rms(const ReportInput& input, const std::string& reference,
   double high = 0;
   for (const CurveError& error : input.comparison.errors) {
     if (error.reference != reference || error.compared != compared || error.curve != curve) continue;
+    if (!error.line.empty()) continue;
     low = std::min(low, error.rmse);
     high = std::max(high, error.rmse);
   }

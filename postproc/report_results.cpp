@@ -78,7 +78,7 @@ std::string what_is_seen(const ReportInput& input) {
       double high = 0;
       for (const CurveError& error : input.comparison.errors) {
         const bool of_pair = error.reference == input.sets[s].label && error.compared == input.sets[0].label;
-        if (!of_pair || error.curve != curve.name) continue;
+        if (!of_pair || !error.line.empty() || error.curve != curve.name) continue;
         low = std::min(low, error.rmse);
         high = std::max(high, error.rmse);
       }
@@ -94,6 +94,31 @@ std::string what_is_seen(const ReportInput& input) {
   }
   if (!distances.empty()) text += "Root mean square distance, over the times compared, " + distances + ".";
   return text;
+}
+
+// The numbers of scalars.csv: front and extremes of the bed.
+std::string extremes(const ReportInput& input) {
+  std::vector<std::vector<std::string>> rows;
+  std::string last_pair;
+  for (const ScalarError& scalar : input.comparison.scalars) {
+    if (!scalar.line.empty()) continue;
+    const std::string pair = escape(scalar.compared) + " against " + escape(scalar.reference);
+    if (pair != last_pair) rows.push_back({pair});
+    last_pair = pair;
+    std::string quantity = scalar.quantity;
+    std::replace(quantity.begin(), quantity.end(), '_', ' ');
+    const auto cell = [](double value) {
+      return std::isnan(value) ? "–" : html::typeset(fmt::format("{:.4f}", value));
+    };
+    const double error = scalar.compared_value - scalar.reference_value;
+    rows.push_back({quantity, fmt::format("{:g}", scalar.time), cell(scalar.compared_value),
+                    cell(scalar.reference_value),
+                    std::isnan(error) ? "–" : html::typeset(fmt::format("{:+.4f}", error))});
+  }
+  if (rows.empty()) return "";
+  return "<h3>Front, deepest scour and highest deposition</h3>\n" +
+         html::table({"quantity", "t [s]", "compared [m]", "against [m]", "difference [m]"}, rows, "lrrrr") +
+         "<p class=\"small\">Numbers: <a href=\"scalars.csv\">report/scalars.csv</a>.</p>\n";
 }
 
 }  // namespace
@@ -186,7 +211,8 @@ std::string errors(const ReportInput& input) {
     note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
     text += "<p>" + escape(note) + ".</p>\n";
   }
-  const std::vector<CurveError>& all = input.comparison.errors;
+  std::vector<CurveError> all = input.comparison.errors;
+  std::erase_if(all, [](const CurveError& error) { return !error.line.empty(); });  // in errors.csv only
   if (all.empty()) return text + "<p>There was nothing to compare the run with.</p>\n";
 
   std::vector<double> times;
@@ -242,14 +268,17 @@ std::string errors(const ReportInput& input) {
     last_row = pair;
     full.push_back({title_of(e.curve), fmt::format("{:g}", e.time), millimetres(e.rmse), percent(e.normalised_rmse),
                     signed_millimetres(e.bias), signed_millimetres(e.largest_error),
-                    html::typeset(fmt::format("{:.3f}", e.largest_error_at)), fmt::format("{}", e.points),
+                    html::typeset(fmt::format("{:.3f}", e.largest_error_at)),
+                    std::isnan(e.brier_skill) ? "–" : html::typeset(fmt::format("{:.2f}", e.brier_skill)),
+                    fmt::format("{}", e.points),
                     html::typeset(fmt::format("{:.3f}", e.from)) + " … " + html::typeset(fmt::format("{:.3f}", e.to))});
   }
   text += "<h3>In full</h3>\n" + html::table({"curve", "t [s]", "RMSE [mm]", "of range", "bias [mm]", "largest [mm]",
-                                              "at x [m]", "points", "common range [m]"},
-                                             full, "lrrrrrrrr", "long wide");
+                                              "at x [m]", "skill", "points", "common range [m]"},
+                                             full, "lrrrrrrrrr", "long wide");
   text += fmt::format("<p class=\"small\">{}. Numbers: <a href=\"errors.csv\">report/errors.csv</a>.</p>\n",
                       escape(comparison_method));
+  text += extremes(input);
   if (!input.comparison.remarks.empty()) {
     text += "<ul class=\"small\">\n";
     for (const std::string& remark : input.comparison.remarks) text += "<li>" + escape(remark) + "</li>\n";
