@@ -178,7 +178,7 @@ class Stage {
       camera->SetPosition(middle.x(), middle.y() - 10 * size.x(), middle.z());
     } else {
       middle.z() -= 0.06 * size.x();
-      camera->SetPosition(middle.x() + 0.25 * size.x(), middle.y() - 0.85 * size.x(), middle.z() + 0.6 * size.x());
+      camera->SetPosition(middle.x() + 0.25 * size.x(), middle.y() - 0.97 * size.x(), middle.z() + 0.68 * size.x());
     }
     camera->SetFocalPoint(middle.x(), middle.y(), middle.z());
     window_->SetSize(1600, height_);

@@ -56,7 +56,7 @@ code { font: 12.5px "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wra
 .values { position: absolute; z-index: 2; background: rgba(255,255,255,.94); border: 1px solid var(--rule); padding: 5px 9px; pointer-events: none;
   font: 12px/1.35 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; box-shadow: 0 1px 5px rgba(0,0,0,.14); }
 .values table { margin: 2px 0 0; border: 0; font-size: 12px; } .values td, .values th { padding: 1px 10px 1px 0; border: 0; font-size: 12px; }
-#scene .canvas { height: 480px; border: 1px solid var(--rule); } #scene .canvas canvas { touch-action: none; }
+#scene .canvas { height: 480px; overflow: hidden; border: 1px solid var(--rule); } #scene .canvas canvas { touch-action: none; }
 .controls { display: flex; gap: 12px; align-items: center; font: 13px "Helvetica Neue", Helvetica, Arial, sans-serif; padding: 6px 0; }
 .controls input[type=range] { flex: 1; } .controls output { min-width: 6em; }
 .scale i { display: inline-block; width: 110px; height: 10px; vertical-align: baseline; background: linear-gradient(90deg, #005951, #59b5ab, #decca8, #bf822e, #543005); }

@@ -8,6 +8,7 @@ surfaces, the bed is coloured by how far it has sunk or risen, and the water's s
 
 import argparse
 import pathlib
+import re
 import sys
 
 from paraview.simple import (AnnotateTimeFilter, Clip, ColorBy, CreateView, GetColorTransferFunction, GetScalarBar,
@@ -72,6 +73,13 @@ def drawn_as_spheres(shown, spacing, flat):
     shown.GaussianRadius = 0.6 * spacing
     shown.ShaderPreset = "Plain circle" if flat else "Sphere"
     shown.ScaleByArray = 0
+
+
+def title_of(folder):
+    """The case's title, or the folder's name; without tomllib, which the Python of older ParaViews lacks."""
+    case = folder / "case.resolved.toml"
+    found = re.search(r"""^title\s*=\s*['"](.+)['"]""", case.read_text(encoding="utf-8"), re.MULTILINE) if case.exists() else None
+    return found.group(1) if found else folder.name
 
 
 class Scene:
@@ -192,7 +200,7 @@ class Scene:
         clock.Format = "t = {time:.3f} s"
         self.text(Show(clock, self.view), "Upper Right Corner", 18)
         title = Text(registrationName="title")
-        title.Text = self.folder.name + "  (SPH, Thalweg)"
+        title.Text = title_of(self.folder) + "  (SPH, Thalweg)"
         self.text(Show(title, self.view), "Upper Left Corner", 16)
         for number, (lookup, name) in enumerate(self.legends):
             legend(self.view, lookup, name, 0.06 + 0.31 * number)
@@ -218,8 +226,8 @@ class Scene:
         else:
             view.ViewSize = [1600, 800]
             middle[2] -= 0.06 * self.length
-            view.CameraPosition = [middle[0] + 0.25 * self.length, middle[1] - 0.85 * self.length,
-                                   middle[2] + 0.6 * self.length]
+            view.CameraPosition = [middle[0] + 0.25 * self.length, middle[1] - 0.97 * self.length,
+                                   middle[2] + 0.68 * self.length]
         view.CameraFocalPoint = middle
         view.CameraViewUp = [0, 0, 1]
 

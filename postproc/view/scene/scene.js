@@ -62,7 +62,7 @@ function start() {
   const waterActor = vtkActor.newInstance();
   waterActor.setMapper(water);
   waterActor.getProperty().setColor(0.3, 0.55, 0.8);
-  waterActor.getProperty().setOpacity(0.35);
+  waterActor.getProperty().setOpacity(0.25);
   waterActor.getProperty().setSpecular(0.3);
   renderer.addActor(bedActor);
   renderer.addActor(waterActor);
