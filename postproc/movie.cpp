@@ -174,7 +174,7 @@ class Stage {
       height_ = (static_cast<int>((size.z() + 6 * spacing) / metres) + above + below) / 2 * 2;
       camera->ParallelProjectionOn();
       camera->SetParallelScale(metres * height_ / 2);
-      middle.z() -= (below - above) / 2 * metres;
+      middle.z() -= (below - above) / 2.0 * metres;
       camera->SetPosition(middle.x(), middle.y() - 10 * size.x(), middle.z());
     } else {
       middle.z() -= 0.06 * size.x();

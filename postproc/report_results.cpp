@@ -178,6 +178,11 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
   std::string text = "<h2>Profiles</h2>\n<p class=\"key\">";
   constexpr const char* names[] = {"free surface", "bed", "moving bed (top of the sediment at rest)"};
   for (std::size_t c = 0; c < std::size(curves); ++c) {
+    const bool there = std::any_of(input.sets.begin(), input.sets.end(), [c](const ProfileSet& set) {
+      return std::any_of(set.profiles.begin(), set.profiles.end(),
+                         [c](const TimedProfile& timed) { return !(timed.profile.*curves[c].values).empty(); });
+    });
+    if (!there) continue;
     text += fmt::format("<span class=\"swatch\" style=\"border-color:{}\"></span>{}", curve_colours[c], names[c]);
   }
   text += ". The colour says which curve it is; ";
