@@ -89,8 +89,10 @@ class Scatter {
       case Part::resting_sediment:
         return add(sums_.resting, rows);
       case Part::wall: {
+        // A node exactly a spacing below the face belongs to the floor, whichever way its height was rounded.
+        const double depth = 1.01 * particles_.info.spacing;
         std::size_t floor_from = rows.begin;
-        while (floor_from < rows.end && walls_.top[b] > grid.z(floor_from) + particles_.info.spacing) ++floor_from;
+        while (floor_from < rows.end && walls_.top[b] > grid.z(floor_from) + depth) ++floor_from;
         add(sums_.side, {rows.begin, floor_from});
         add(sums_.floor, {floor_from, rows.end});
       }

@@ -55,7 +55,7 @@ std::vector<Part> parts_of(const ParticleSet& particles, double rest_speed);
 bool has_sediment_states(const ParticleSet& particles);
 
 /// Kernel sums of volume, phi(x) = sum_b V_b W(|x - x_b|, h) [-], with the solver's kernel, at the nodes of a grid.
-/// Walls count as `floor` at nodes above their run's top (or less than a spacing below it, so that the face itself can
+/// Walls count as `floor` at nodes above their run's top (or up to a spacing below it, so that the face itself can
 /// be found) and as `side` further down: a floor is full where the fluid ends on it, so that a film keeps its
 /// thickness; a side wall (or a lid) is taken out of the sum's reach, so that it does not bend the surface.
 struct VolumeFractions {

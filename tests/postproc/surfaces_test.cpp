@@ -354,6 +354,36 @@ TEST(Surfaces, CarryVelocityAndTheChangeOfTheBed) {
   EXPECT_LT(balance->deposited, 1e-6);
 }
 
+// The grid's nodes lie on the floor's face and exactly a spacing below it, where rounding must not decide what a wall
+// is.
+TEST(Surfaces, StandOnTheFloorAtEverySpacing) {
+  for (const double spacing : {0.01, 0.005, 0.004, 0.002}) {
+    Flume flume;
+    flume.dimension = 3;
+    flume.spacing = spacing;
+    flume.length = 20 * spacing;
+    flume.width = 12 * spacing;
+    flume.wall_height = 20 * spacing;
+    flume.begin();
+    flume.add_walls();
+    flume.fill(ParticleType::sediment, 0, flume.length, flat, [&](double) { return 6 * spacing; });
+    flume.fill(
+        ParticleType::water, 0, flume.length, [&](double) { return 6 * spacing; },
+        [&](double) { return 12 * spacing; });
+    for (Vec3& at : flume.set.position) at = at.cast<float>().cast<double>();  // as in a snapshot
+    const LevelMap map = surfaces_of(flume.set).map;
+    for (std::size_t i = 0; i < map.grid.nx; ++i) {
+      for (std::size_t j = 0; j < map.grid.ny; ++j) {
+        const ColumnLevels& levels = map.levels[map.grid.column(i, j)];
+        const bool open_side = std::abs(map.grid.y(j) - 6 * spacing) > 2.5 * spacing;
+        if (open_side || std::isnan(levels.free_surface)) continue;
+        EXPECT_NEAR(levels.floor, 0, 0.1 * spacing);
+        EXPECT_NEAR(levels.bed, 6 * spacing, 0.1 * spacing);
+      }
+    }
+  }
+}
+
 TEST(Surfaces, AreWrittenAsVtpAndStl) {
   const manufactured::TemporaryFolder folder("surfaces");
   const ParticleSet set = ball(0.008, 0.04, 3);
