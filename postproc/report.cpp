@@ -117,7 +117,8 @@ bool write_report(ReportInput& input) {
     page << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << html::escape(title)
          << "</title>\n<style>" << report_style << "</style>\n</head>\n<body>\n";
-    page << part::heading(input) << part::scene(input, pictures) << part::at_a_glance(input) << part::methods(input);
+    page << part::heading(input) << part::scene(input, pictures) << part::at_a_glance(input)
+         << part::which_is_which(input);
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
          << part::space_time(input, pictures) << part::space_view(space) << part::particles(input, pictures)

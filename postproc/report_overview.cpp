@@ -139,7 +139,7 @@ std::string earlier_scenes(const ReportInput& input) {
   return text + "</div>\n";
 }
 
-std::string methods(const ReportInput& input) {
+std::string which_is_which(const ReportInput& input) {
   const ProfileSet& reference = held_against(input);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t s = 0; s < input.sets.size(); ++s) {
@@ -170,7 +170,7 @@ std::string methods(const ReportInput& input) {
   std::string text = "<h2>Which is which, how far apart, and what it cost</h2>\n" +
                      html::table({"drawn as", "source", "method", "size", "steps", "wall clock", "CPU",
                                   "free surface off by [mm]", "bed off by [mm]"},
-                                 rows, "lllrrrrrr", "wide methods");
+                                 rows, "lllrrrrrr", "wide overview");
   text += fmt::format(
       "<p class=\"small\">Off by: root mean square over x of the distance from {}, smallest and largest of the times "
       "compared{}. Numbers: <a href=\"errors.csv\">report/errors.csv</a>, <a href=\"../summary.csv\">summary.csv</a>. "

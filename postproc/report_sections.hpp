@@ -13,7 +13,7 @@ std::string heading(const ReportInput& input);
 std::string at_a_glance(const ReportInput& input);
 std::string scene(const ReportInput& input, const std::filesystem::path& pictures);
 std::string earlier_scenes(const ReportInput& input);
-std::string methods(const ReportInput& input);
+std::string which_is_which(const ReportInput& input);
 std::string profiles(const ReportInput& input, const std::filesystem::path& pictures);
 std::string errors(const ReportInput& input);
 std::string front_and_energies(const ReportInput& input, const std::filesystem::path& pictures);

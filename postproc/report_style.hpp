@@ -50,7 +50,7 @@ sup { font-size: 0.7em; line-height: 0; }
 .warnings { border-left: 3px solid var(--warn); padding: 2px 0 2px 14px; margin: 12px 0; }
 .warnings li { margin: 3px 0; } ul { padding-left: 18px; margin: 6px 0; }
 code { font: 12.5px "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
-.methods td:first-child { width: 60px; } figure svg.sample, svg.sample { width: 46px; vertical-align: middle; } .methods th { white-space: normal; max-width: 7em; }
+.overview td:first-child { width: 60px; } figure svg.sample, svg.sample { width: 46px; vertical-align: middle; } .overview th { white-space: normal; max-width: 7em; }
 .hover { position: relative; } .hover svg { cursor: crosshair; touch-action: pan-y; }
 .hair { position: absolute; width: 0; border-left: 1px solid #777; pointer-events: none; }
 .values { position: absolute; z-index: 2; background: rgba(255,255,255,.94); border: 1px solid var(--rule); padding: 5px 9px; pointer-events: none;
