@@ -32,6 +32,7 @@ class CaseCheck {
     numerics();
     times();
     references();
+    mesh_models();
   }
 
  private:
@@ -49,6 +50,14 @@ class CaseCheck {
     if (!usable || name.front() == '.') {
       reject("case.name", fmt::format("case.name = \"{}\" cannot name files", name),
              "use letters, digits, \"-\" and \"_\"");
+    }
+  }
+
+  void mesh_models() const {
+    for (const std::string& model : case_.foam.models) {
+      if (std::ranges::find(mesh_model_names, model) != mesh_model_names.end()) continue;
+      reject("foam.models", fmt::format("foam.models holds \"{}\"", model),
+             fmt::format("the mesh models are {}", fmt::join(mesh_model_names, ", ")));
     }
   }
 

@@ -178,6 +178,13 @@ std::string combined_sets(const FoamCase& foam_case) {
 
 std::string phase_values(const FoamCase& foam_case, const std::string& filled) {
   std::string text;
+  if (foam_case.application() == "interFoam") {
+    const bool bed = filled == "sediment";
+    const bool wet = filled == "water" || (bed && foam_case.scene.sediment().pore_density > 0);
+    text = std::string(" volScalarFieldValue alpha.water ") + (wet ? "1" : "0");
+    if (foam_case.has_eroding_bed()) text += std::string(" volScalarFieldValue bed ") + (bed ? "1" : "0");
+    return text + " ";
+  }
   for (const std::string& phase : phases(foam_case)) {
     text += " volScalarFieldValue alpha." + phase + (phase == filled ? " 1" : " 0");
   }
@@ -208,7 +215,8 @@ std::string set_fields(const FoamCase& foam_case) {
 
 std::string decompose(const FoamCase& foam_case) {
   const MeshPlan& plan = foam_case.plan;
-  const auto longest = std::ranges::max_element(plan.cells) - plan.cells.begin();
+  // Along the ground: a slab holds its columns from floor to top, all but those it shares with the next.
+  const auto longest = plan.cells[1] > plan.cells[0] ? 1 : 0;
   Eigen::Vector3i parts = Eigen::Vector3i::Ones();
   parts[longest] = foam_case.ranks;
   return substitute(R"(numberOfSubdomains %ranks%;
@@ -250,7 +258,7 @@ CaseFiles mesh_files(const FoamCase& foam_case) {
       "The shapes in the case's order: later ones take the place of earlier ones. Cells by their centres.",
       set_fields(foam_case));
   if (foam_case.ranks > 1) {
-    add("decomposeParDict", "Slabs along the longest side, one a rank.", decompose(foam_case));
+    add("decomposeParDict", "Slabs along the longer side on the ground, one a rank.", decompose(foam_case));
   }
   return files;
 }

@@ -10,7 +10,7 @@ cd "${0%%/*}" || exit 1
 
 # The Debian package's programs find their dictionaries only through this variable.
 export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}"
-
+%library%
 # step NAME COMMAND...: output in log.NAME; the first failure ends the script.
 step() {
     log="log.$1"
@@ -44,21 +44,28 @@ CaseFiles scripts(const FoamCase& foam_case) {
   if (mesh.contains("system/topoSetDict.shapes")) {
     carve += "step topoSet.shapes topoSet -dict system/topoSetDict.shapes\n";
   }
-  std::string solve = "step multiphaseInterFoam multiphaseInterFoam\n";
+  const std::string solver = foam_case.application();
+  std::string solve = "step " + solver + " " + solver + "\n";
   if (foam_case.ranks > 1) {
     solve = R"script(# Open MPI refuses to run as root, as in most containers, unless told twice.
 if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 step decomposePar decomposePar
-step multiphaseInterFoam mpirun --use-hwthread-cpus -np )script" +
-            std::to_string(foam_case.ranks) +
-            " multiphaseInterFoam -parallel\n"
+step )script" +
+            solver + " mpirun --use-hwthread-cpus -np " + std::to_string(foam_case.ranks) + " " + solver +
+            " -parallel\n"
             "step reconstructPar reconstructPar\n";
   }
+  const std::string library =
+      foam_case.library.empty()
+          ? ""
+          : "# Our models: foam_reference/library, built by tools/foam-library, which prints this folder.\n"
+            "export LD_LIBRARY_PATH=\"" +
+                foam_case.library.string() + "${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}\"\n";
   CaseFiles files;
   files["Allrun"] =
       "#!/bin/sh\n" +
       origin(foam_case.scene, "#", "Makes the mesh, fills it and runs it; ./Allclean first to start over.") +
-      substitute(run_template, {{"", "%"}, {"mesh", carve}, {"solve", solve}});
+      substitute(run_template, {{"", "%"}, {"library", library}, {"mesh", carve}, {"solve", solve}});
   files["Allclean"] = "#!/bin/sh\n" + origin(foam_case.scene, "#", "Removes all that Allrun makes.") +
                       substitute(clean_template, {{"", "%"}});
   return files;
