@@ -59,8 +59,9 @@ double carry_grains(volScalarField& grains, const volScalarField& alpha_water, c
   volScalarField share("share", free);
   const Foam::scalarField out(leaving(flux, dt));
   forAll(share, cell) {
-    const double held = grains[cell] * mesh.V()[cell];
-    share[cell] = out[cell] > held ? held / out[cell] : 1.0;
+    const double held = Foam::max(grains[cell] * mesh.V()[cell], Foam::scalar(0));
+    // No branch around the division: the compiler divides before it decides, and OpenFOAM traps 0/0.
+    share[cell] = held / Foam::max(Foam::max(out[cell], held), Foam::VSMALL);
   }
   share.correctBoundaryConditions();
   flux *= upwind_of(share, flux);
