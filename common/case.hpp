@@ -417,6 +417,7 @@ struct Compare {
   std::vector<std::string> references;
   double from = 0;  // [m]
   double to = 0;    // [m]
+  int runs = 1;
 
   template <class V>
   void describe(V& v) {
@@ -425,6 +426,9 @@ struct Compare {
     v.texts("references", references, "Folders with measured profiles (t0.250.csv …), relative to the case.");
     v.quantity("from", from, "m", -1e9, 1e9, "Start of the range compared; with `to` equal: the whole domain.");
     v.quantity("to", to, "m", -1e9, 1e9, "End of the range compared.");
+    v.integer("runs", runs, 1, 4,
+              "Particle runs that `thalweg run` makes, each with twice the spacing of the one before: what the spacing "
+              "decides, and what it costs.");
   }
 };
 

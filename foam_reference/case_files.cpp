@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/surface_files.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -68,7 +69,7 @@ double write_interval(const Case& scene) {
 CaseFiles case_files(const FoamCase& foam_case) {
   CaseFiles files;
   for (CaseFiles part : {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case), bed_files(foam_case),
-                         control_files(foam_case), scripts(foam_case)}) {
+                         surface_files(foam_case), control_files(foam_case), scripts(foam_case)}) {
     files.merge(part);
   }
   files["case.foam"] = "";  // ParaView opens the folder through it

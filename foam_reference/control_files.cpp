@@ -160,10 +160,10 @@ PIMPLE
     momentumPredictor   yes;
     nOuterCorrectors    1;
     nCorrectors         3;
-    nNonOrthogonalCorrectors 0;
+    nNonOrthogonalCorrectors %corrections%;
 %reference%}
 )",
-                    {{"alpha", alpha}, {"reference", reference}});
+                    {{"alpha", alpha}, {"corrections", plan.has_surfaces ? "1" : "0"}, {"reference", reference}});
 }
 
 }  // namespace

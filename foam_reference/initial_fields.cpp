@@ -14,6 +14,7 @@ std::string boundary(const MeshPlan& plan, const std::string& at_walls, const st
   std::string text;
   if (plan.open(Face::wall)) text += boundary_entry("walls", at_walls);
   if (plan.has_solids) text += boundary_entry("solids", at_walls);
+  if (plan.has_surfaces) text += boundary_entry("\"surface[0-9]+\"", at_walls);
   if (plan.open(Face::open)) text += boundary_entry("atmosphere", at_open);
   if (plan.open(Face::unused)) text += boundary_entry("frontAndBack", "type empty;");
   if (plan.open(Face::periodic)) text += boundary_entry("\"(minus|plus)[XYZ]\"", "type cyclic;");

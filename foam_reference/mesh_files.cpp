@@ -106,7 +106,8 @@ struct CellSource {
 };
 
 // In 2-D the sources reach through the block's width.
-CellSource cell_source(const FoamCase& foam_case, const Shape& shape) {
+CellSource cell_source(const FoamCase& foam_case, const Shape& given) {
+  const Shape shape = as_filled_box(foam_case.scene, given);
   const MeshPlan& plan = foam_case.plan;
   const bool plane = foam_case.scene.info.dimension == 2;
   const auto at_y = [&](Vec3 point, double y) {
@@ -114,7 +115,7 @@ CellSource cell_source(const FoamCase& foam_case, const Shape& shape) {
     return point;
   };
   const Vec3 low = plan.low, high = plan.high;
-  if (is_combined(shape)) return {"cellToCell", "set " + combined_set(foam_case.scene, shape) + ";"};
+  if (is_combined(given)) return {"cellToCell", "set " + combined_set(foam_case.scene, given) + ";"};
   if (shape.kind == ShapeKind::box) {
     return {"boxToCell", "box " + vector(at_y(off_centres(plan, shape.from), low.y())) + " " +
                              vector(at_y(off_centres(plan, shape.to), high.y())) + ";"};
@@ -160,7 +161,8 @@ std::string flow_set(const FoamCase& foam_case) {
   std::string text = set_action(
       "flow", "new", {"boxToCell", "box " + vector(plan.low - margin) + " " + vector(plan.high + margin) + ";"});
   for (const Shape& shape : foam_case.scene.shapes) {
-    const bool solid = shape.role == ShapeRole::wall && !is_container(shape);
+    const bool solid =
+        shape.role == ShapeRole::wall && !is_container(shape) && !is_meshed_solid(foam_case.scene, shape);
     if (!solid && !holds_fluid(shape)) continue;
     if (is_combined(shape)) text += combine(foam_case, shape);
     text += set_action("flow", solid ? "subtract" : "add", cell_source(foam_case, shape));

@@ -43,11 +43,10 @@ std::vector<Vec3> cell_centres(const fs::path& case_folder) {
   return centres;
 }
 
-double volume(const fs::path& field, double cell_volume, std::size_t cells) {
+double volume(const fs::path& field, const std::vector<double>& cell_volumes) {
   const std::vector<double> shares = read_scalar_field(field);
-  const double sum = shares.size() == 1 ? shares.front() * static_cast<double>(cells)
-                                        : std::accumulate(shares.begin(), shares.end(), 0.0);
-  return sum * cell_volume;
+  if (shares.size() == 1) return shares.front() * std::accumulate(cell_volumes.begin(), cell_volumes.end(), 0.0);
+  return std::inner_product(shares.begin(), shares.end(), cell_volumes.begin(), 0.0);
 }
 
 // Rows of numbers of a function object's file; comment lines start with #.
@@ -259,14 +258,14 @@ void write_profiles(const FoamCase& foam_case, const fs::path& folder) {
 std::vector<VolumeBalance> write_results(const FoamCase& foam_case, const fs::path& folder, const FoamRun& run) {
   const fs::path case_folder = folder / "case";
   const std::size_t cells = cell_centres(case_folder).size();
+  std::vector<double> cell_volumes = read_scalar_field(case_folder / "constant" / "V");
+  if (cell_volumes.size() == 1) cell_volumes.assign(cells, cell_volumes.front());
   const fs::path end_fields = time_folder(case_folder, foam_case.scene.output.end);
 
   std::vector<VolumeBalance> balances;
   for (const std::string& phase : phases(foam_case)) {
     if (phase == "air") continue;
-    const auto volume_in = [&](const fs::path& fields) {
-      return volume(fields / ("alpha." + phase), foam_case.plan.cell_volume(), cells);
-    };
+    const auto volume_in = [&](const fs::path& fields) { return volume(fields / ("alpha." + phase), cell_volumes); };
     balances.push_back(
         {phase, volume_in(case_folder / "0"), volume_in(end_fields), outflow(foam_case, folder, phase, run.steps)});
   }

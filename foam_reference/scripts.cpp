@@ -1,6 +1,7 @@
 // Allrun and Allclean: the run without thalweg-foam, and what thalweg-foam itself calls.
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/surface_files.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -21,21 +22,22 @@ step() {
 
 step blockMesh blockMesh
 %mesh%step writeCellCentres postProcess -func writeCellCentres -constant
+step writeCellVolumes postProcess -func writeCellVolumes -constant
 cp -r 0.orig 0 || exit 1
 step setFields setFields
 %solve%)";
 
 constexpr const char* clean_template = R"(
 cd "${0%%/*}" || exit 1
-rm -rf 0 0.[0-9]* [1-9]* *e-[0-9]* processor[0-9]* postProcessing dynamicCode constant/polyMesh log.*
-rm -f constant/C constant/C[xyz] constant/cellLevel constant/cellMap constant/faceMap constant/pointMap
+rm -rf 0 0.[0-9]* [1-9]* *e-[0-9]* processor[0-9]* postProcessing dynamicCode constant/polyMesh constant/triSurface log.*
+rm -f constant/C constant/C[xyz] constant/V constant/cellLevel constant/cellMap constant/faceMap constant/pointMap
 )";
 
 }  // namespace
 
 CaseFiles scripts(const FoamCase& foam_case) {
   const CaseFiles mesh = mesh_files(foam_case);
-  std::string carve;
+  std::string carve = surface_steps(foam_case);
   if (foam_case.plan.has_solids) {
     carve +=
         "step topoSet.solids topoSet -dict system/topoSetDict.solids\n"

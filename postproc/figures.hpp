@@ -58,11 +58,13 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path particles(const ParticleTable& table, const PictureFrame& frame,
                                                 double spacing) const;
 
- private:
+  /// A CSV file as a script in this folder names it, in quotes.
   [[nodiscard]] std::string data(const std::filesystem::path& file) const;
+  /// A picture of any kind: NAME.gp of settings and a plot command, width and height in pixels.
   [[nodiscard]] std::filesystem::path write(const std::string& name, int width, int height, const std::string& settings,
                                             const std::string& plot) const;
 
+ private:
   std::filesystem::path folder_;
 };
 

@@ -80,6 +80,9 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   const ParticleTable table =
       write_particle_table(input.run.report() / "data" / "particles.csv",
                            read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
+  for (fs::path& script : report_sections::method_scripts(input.methods, input.sets.front(), frame, input.run)) {
+    scripts.push_back(std::move(script));
+  }
   scripts.push_back(writer.particles(table, frame, input.extraction.info.spacing));
   return scripts;
 }
@@ -101,7 +104,8 @@ bool write_report(const ReportInput& input) {
     page << part::heading(input) << part::at_a_glance(input);
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
-         << part::particles(input, pictures) << part::run_numbers(input) << part::model(input);
+         << part::particles(input, pictures) << part::methods(input, pictures) << part::run_numbers(input)
+         << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
     page << part::provenance(input) << "</body>\n</html>\n";
   });
