@@ -33,7 +33,7 @@ Bounds bounds_of(const Case& scene, const Shape& shape);
 /// What the shapes put at `point` [m]: later ones take the place of earlier ones; the container counts for nothing.
 Material material_at(const Case& scene, const Vec3& point);
 
-/// Whether the shape is a solid that snappyHexMesh fits: a wall in 3-D from an STL or OBJ file, not turned.
+/// Whether the shape is a solid that snappyHexMesh takes out: a wall in 3-D from an STL or OBJ file, not turned.
 bool is_meshed_solid(const Case& scene, const Shape& shape);
 
 /// Whether the shape is the container the flow lies in.

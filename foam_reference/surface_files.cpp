@@ -1,4 +1,4 @@
-// Solid walls from surface meshes: their files, and system/snappyHexMeshDict that fits the cells to them.
+// Solid walls from surface meshes: their files, and system/snappyHexMeshDict that takes their inside out of the mesh.
 #include "foam_reference/surface_files.hpp"
 
 #include <fstream>
@@ -51,7 +51,7 @@ std::string snappy(const FoamCase& foam_case) {
   // The uppermost corner of the flow, off the faces of cells.
   const Vec3 inside = foam_case.plan.high - 0.3719 * foam_case.plan.size();
   return substitute(R"(castellatedMesh true;
-snap            true;
+snap            false;
 addLayers       false;
 
 geometry
@@ -121,7 +121,9 @@ CaseFiles surface_files(const FoamCase& foam_case) {
   }
   files["system/snappyHexMeshDict"] = foam_file(
       scene, "dictionary", "snappyHexMeshDict",
-      "Cells inside the surfaces are taken out, those beside them fitted. A higher `level` halves the cells there.",
+      "Cells inside the surfaces are taken out, whole cells, as for other solid walls. A higher `level` halves the "
+      "cells there.\n`snap true` fits them to the surface, but then interFoam and multiphaseInterFoam 1912 diverged "
+      "within milliseconds.",
       snappy(foam_case));
   return files;
 }

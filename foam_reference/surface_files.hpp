@@ -6,8 +6,8 @@
 
 namespace thalweg::foam {
 
-/// Surface meshes of solid walls as the case names them, and the dictionary that fits cells to them; nothing without.
-/// Throws InputError.
+/// Surface meshes of solid walls as the case names them, and the dictionary that takes their inside out of the mesh;
+/// nothing without. Throws InputError.
 CaseFiles surface_files(const FoamCase& foam_case);
 
 /// What Allrun does with them after blockMesh.
