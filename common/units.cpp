@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -30,10 +31,18 @@ std::mutex& lock() {
   return mutex;
 }
 
+/// The units database of a bundle (tools/bundle), which comes with its own.
+std::string bundled_database() {
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return program.parent_path().parent_path() / "share" / "udunits" / "udunits2.xml";
+}
+
 const ut_system* unit_system() {
   static const std::unique_ptr<ut_system, Release> system = [] {
     ut_set_error_message_handler(ut_ignore);  // our exceptions say it
     std::unique_ptr<ut_system, Release> read(ut_read_xml(nullptr));
+    if (!read) read.reset(ut_read_xml(bundled_database().c_str()));
     if (!read) {
       throw RunError(
           "the units database of UDUNITS cannot be read; install libudunits2-data or let UDUNITS2_XML_PATH name "

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "common/error.hpp"
+#include "solver/backend/buffer.hpp"
 #include "solver/simulation.hpp"
 
 namespace thalweg {
@@ -27,84 +29,146 @@ std::vector<double> numbers_of(const Struct* from, std::size_t n) {
   return {numbers, numbers + n * (sizeof(Struct) / sizeof(float))};
 }
 template <class Struct>
-void take_numbers(const ParticleSet& from, const char* name, Struct* to, std::size_t n) {
+HostBuffer<Struct> structs_of(const ParticleSet& from, const char* name, std::size_t n) {
+  HostBuffer<Struct> structs(n, Struct{});
   const auto found = from.doubles.find(name);
-  if (found == from.doubles.end()) return;
-  auto* numbers = reinterpret_cast<float*>(to);
+  if (found == from.doubles.end()) return structs;
+  auto* numbers = reinterpret_cast<float*>(structs.data());
   for (std::size_t i = 0; i < n * (sizeof(Struct) / sizeof(float)); ++i) {
     numbers[i] = static_cast<float>(found->second[i]);
   }
+  return structs;
+}
+
+/// A particle as it starts or goes on; walls have the volume of a spacing.
+template <int Dim>
+Record record_of(const Scene<Dim>& scene, const ParticleSet& from, std::size_t i) {
+  Record r{};
+  const auto exact_excess = from.scalars.find(checkpoint_array::excess);
+  const auto states = from.scalars.find(checkpoint_array::state);
+  const auto type = from.type[i];
+  r.phase = type == ParticleType::sediment ? phase_sediment : type == ParticleType::water ? phase_water : phase_wall;
+  for (int k = 0; k < Dim; ++k) r.place[axis<Dim>(k)] = scene.lattice.place(k, from.position[i][axis<Dim>(k)]);
+  if (!from.velocity.empty()) {
+    for (int c = 0; c < 3; ++c) r.velocity[c] = from.velocity[i][c];
+  }
+  if (!from.pressure.empty()) r.pressure = from.pressure[i];
+  if (exact_excess != from.scalars.end()) r.excess = exact_excess->second[i];
+  if (r.phase == phase_wall) {
+    r.volume = static_cast<float>(std::pow(scene.spacing, Dim));
+    return r;
+  }
+  if (exact_excess == from.scalars.end()) {
+    r.excess = static_cast<float>(double(from.density[i]) / double(scene.density_in_files(r.phase)) - 1);
+  }
+  r.volume = from.mass[i] / (scene.density_at_rest(r.phase) * (1 + r.excess));  // as the step does
+  if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
+  if (r.phase == phase_sediment) r.state = states != from.scalars.end() ? states->second[i] : state_deposit;
+  if (!scene.may_rest && is_resting(r)) r.state = state_deposit;
+  return r;
 }
 
 /// Brings particles to the device's arrays, fluid and walls mixed as they come; lists are made by the first step.
 template <int Dim, class Device>
-void load_particles(Particles<Device>& p, const Scene<Dim>& scene, const ParticleSet& from) {
+void load_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const ParticleSet& from) {
   const auto n = static_cast<Index>(from.size());
+  HostBuffer<Record> record(n + std::size_t{1}, Record{});
+  HostBuffer<Position> position(n);
+  HostBuffer<std::uint8_t> type(n);
   p.count = n;
-  p.record.assign(n + std::size_t{1}, Record{});
-  p.position.resize(n);
-  p.mass.assign(from.mass.begin(), from.mass.end());
-  p.id.assign(from.id.begin(), from.id.end());
-  p.type.resize(n);
-  p.rates.assign(n, Rates{});
-  if (scene.has_sediment) p.sediment.assign(n, Sediment{});
-  if (scene.seepage.pore_pressure) {
-    p.excess_pore_pressure.assign(n, 0);
-    const auto known = from.scalars.find(excess_pore_pressure_array);
-    if (known != from.scalars.end()) p.excess_pore_pressure.assign(known->second.begin(), known->second.end());
-  }
-  const auto exact_excess = from.scalars.find(checkpoint_array::excess);
-  const auto states = from.scalars.find(checkpoint_array::state);
-  if (scene.has_sediment) take_numbers(from, checkpoint_array::sediment, p.sediment.data(), n);
-  if (scene.has_states) {
-    p.bed.assign(n, BedSurface{});
-    take_numbers(from, checkpoint_array::bed, p.bed.data(), n);
-  }
-  Index fluid = 0;
+  p.fluid_count = 0;
   for (Index i = 0; i < n; ++i) {
-    Record& r = p.record[i];
-    const auto type = from.type[i];
-    p.type[i] = static_cast<std::uint8_t>(type);
-    r.phase = type == ParticleType::sediment ? phase_sediment : type == ParticleType::water ? phase_water : phase_wall;
-    for (int c = 0; c < 3; ++c) {
-      p.position[i].x[c] = from.position[i][c];
-      if (!from.velocity.empty()) r.velocity[c] = from.velocity[i][c];
-    }
-    for (int k = 0; k < Dim; ++k) {
-      const int c = axis<Dim>(k);
-      r.place[c] = scene.lattice.place(k, p.position[i].x[c]);
-    }
-    if (!from.pressure.empty()) r.pressure = from.pressure[i];
-    if (r.phase == phase_wall) {
-      r.volume = static_cast<float>(std::pow(scene.spacing, Dim));
-      if (exact_excess != from.scalars.end()) r.excess = exact_excess->second[i];
-      continue;
-    }
-    ++fluid;
-    r.excess = exact_excess != from.scalars.end()
-                   ? exact_excess->second[i]
-                   : static_cast<float>(double(from.density[i]) / double(scene.density_in_files(r.phase)) - 1);
-    r.volume = from.mass[i] / (scene.density_at_rest(r.phase) * (1 + r.excess));  // as the step does
-    if (!from.viscosity.empty()) r.viscosity = from.viscosity[i];
-    if (r.phase == phase_sediment) r.state = states != from.scalars.end() ? states->second[i] : state_deposit;
-    if (!scene.may_rest && is_resting(r)) r.state = state_deposit;
+    record[i] = record_of(scene, from, i);
+    type[i] = static_cast<std::uint8_t>(from.type[i]);
+    for (int c = 0; c < 3; ++c) position[i].x[c] = from.position[i][c];
+    if (record[i].phase != phase_wall) ++p.fluid_count;
   }
-  p.fluid_count = fluid;
+  on.put(std::move(record), p.record);
+  on.put(std::move(position), p.position);
+  on.put(std::move(type), p.type);
+  on.put(HostBuffer<float>(from.mass.begin(), from.mass.end()), p.mass);
+  on.put(HostBuffer<std::int64_t>(from.id.begin(), from.id.end()), p.id);
+  on.fill(p.rates, n, Rates{});
+  if (scene.has_sediment) on.put(structs_of<Sediment>(from, checkpoint_array::sediment, n), p.sediment);
+  if (scene.has_states) on.put(structs_of<BedSurface>(from, checkpoint_array::bed, n), p.bed);
+  if (!scene.seepage.pore_pressure) return;
+  const auto known = from.scalars.find(excess_pore_pressure_array);
+  if (known == from.scalars.end()) {
+    on.fill(p.excess_pore_pressure, n, 0.0F);
+  } else {
+    on.put(HostBuffer<float>(known->second.begin(), known->second.end()), p.excess_pore_pressure);
+  }
+}
+
+/// Exchanges the particles' places for those that the lists are built for.
+template <class Device>
+void swap_places(Device& on, Particles<Device>& p) {
+  Record* records = p.record.data();
+  Place* listed = p.listed_at.data();
+  on.for_each(p.count, [=] HOST_DEVICE(Index i) {
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t place = records[i].place[c];
+      records[i].place[c] = listed[i].c[c];
+      listed[i].c[c] = place;
+    }
+  });
+}
+
+/// Particles within the kernel's support of a fluid particle, itself included, averaged over a sample.
+template <int Dim, class Device>
+double mean_neighbours(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+  if (p.fluid_count == 0 || p.list_begin.empty()) return 0;
+  const ClusterList list = p.list();
+  const Record* records = p.record.data();
+  const float support2 = scene.support() * scene.support();
+  const Index stride = std::max<Index>(1, p.fluid_clusters / 1000);
+  const Index samples = (p.fluid_clusters + stride - 1) / stride;
+  const auto sum = [] HOST_DEVICE(std::int64_t a, std::int64_t b) { return a + b; };
+  const std::int64_t particles = on.reduce(
+      samples, std::int64_t{0},
+      [=] HOST_DEVICE(Index n) { return std::int64_t{list.last(n * stride)} - list.first(n * stride); }, sum);
+  const std::int64_t found = on.reduce(
+      samples, std::int64_t{0},
+      [=] HOST_DEVICE(Index n) {
+        const Index c = n * stride;
+        std::int64_t neighbours = 0;
+        for (Index i = list.first(c); i < list.last(c); ++i) {
+          for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
+            const Index j = list.entries[e];
+            if (j == list.count) continue;
+            float r2 = 0;
+            for (int k = 0; k < Dim; ++k) {
+              const float d = scene.distance(k, records[i].place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
+              r2 += d * d;
+            }
+            if (r2 < support2) ++neighbours;
+          }
+        }
+        return neighbours;
+      },
+      sum);
+  return double(found) / double(particles);
 }
 
 /// The simulation in dimension Dim on Device: particles on the device and the step over them.
 template <int Dim, class Device>
 class SimulationOn final : public Simulation {
  public:
-  SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from)
+  SimulationOn(Device device, std::string name, const Scene<Dim>& scene, const ParticleSet& from, bool profile = false)
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
-    load_particles(p_, scene_, from);
+    if (profile) timing_.wait_with([this] { on_.finish(); });
+    load_particles(on_, p_, scene_, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(listed->second);
   }
 
   StepReport advance(double longest) override {
-    StepResult r = thalweg::advance(on_, p_, scene_, work_, longest, timing_);
+    StepResult r;
+    try {
+      r = thalweg::advance(on_, p_, scene_, work_, longest, timing_);
+    } catch (const RunError& e) {
+      throw RunError(std::string(e.what()) + " (in or shortly before " + timing_.current() + ")");
+    }
     StepReport report;
     report.dt = r.step.dt;
     report.limiter = r.step.limiter;
@@ -143,7 +207,7 @@ class SimulationOn final : public Simulation {
         (p_.excess_pore_pressure.size() + work_.pore_diffusion.loss.size() + work_.pore_diffusion.before.size()) *
             sizeof(float));
     f.bytes_per_particle = bytes / p_.count;
-    f.neighbours_mean = mean_neighbours();
+    f.neighbours_mean = mean_neighbours(on_, p_, scene_);
     return f;
   }
 
@@ -156,19 +220,21 @@ class SimulationOn final : public Simulation {
   ParticleSet full_state() override {
     ParticleSet out;
     copy_common(out);
+    const auto records = on_.on_host(p_.record);
+    const auto places = on_.on_host(p_.listed_at);
     auto& excess = out.scalars[checkpoint_array::excess];
     auto& listed = out.doubles[checkpoint_array::listed_at];
     excess.resize(p_.count);
-    listed.resize(3 * p_.listed_at.size());
-    for (Index i = 0; i < p_.count; ++i) excess[i] = p_.record[i].excess;
-    for (std::size_t i = 0; i < p_.listed_at.size(); ++i) {
-      for (std::size_t c = 0; c < 3; ++c) listed[3 * i + c] = p_.listed_at[i].c[c];
+    listed.resize(3 * places.size());
+    for (Index i = 0; i < p_.count; ++i) excess[i] = records[i].excess;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) listed[3 * i + c] = places[i].c[c];
     }
     if (scene_.has_sediment) {
-      out.doubles[checkpoint_array::sediment] = numbers_of(p_.sediment.data(), p_.count);
-      if (scene_.has_states) out.doubles[checkpoint_array::bed] = numbers_of(p_.bed.data(), p_.count);
+      out.doubles[checkpoint_array::sediment] = numbers_of(on_.on_host(p_.sediment).data(), p_.count);
+      if (scene_.has_states) out.doubles[checkpoint_array::bed] = numbers_of(on_.on_host(p_.bed).data(), p_.count);
       auto& state = out.scalars[checkpoint_array::state];
-      for (Index i = 0; i < p_.count; ++i) state.push_back(p_.record[i].state);
+      for (Index i = 0; i < p_.count; ++i) state.push_back(records[i].state);
     }
     return out;
   }
@@ -177,47 +243,56 @@ class SimulationOn final : public Simulation {
   /// A checkpoint holds the particles in list order: lists are built for the places they were built for, which makes
   /// the continued run the same, bit for bit, as one that never stopped.
   void restore_lists(const std::vector<double>& listed) {
-    p_.listed_at.resize(p_.count);
-    std::vector<Place> now(p_.count);
-    for (Index i = 0; i < p_.count; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        now[i].c[c] = p_.record[i].place[c];
-        p_.listed_at[i].c[c] = static_cast<std::int32_t>(listed[3 * std::size_t{i} + c]);
-        p_.record[i].place[c] = p_.listed_at[i].c[c];
-      }
+    HostBuffer<Place> places(p_.count);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) places[i].c[c] = static_cast<std::int32_t>(listed[3 * i + c]);
     }
+    on_.put(std::move(places), p_.listed_at);
+    swap_places(on_, p_);
     neighbours::build_lists(on_, p_, scene_);
     if (scene_.may_rest) list_active_clusters(on_, p_);
-    for (Index i = 0; i < p_.count; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) p_.record[i].place[c] = now[i].c[c];
-    }
+    swap_places(on_, p_);
   }
 
   void copy_common(ParticleSet& out) {
     const std::size_t n = p_.count;
-    out.id.assign(p_.id.begin(), p_.id.end());
-    out.mass.assign(p_.mass.begin(), p_.mass.end());
+    const auto records = on_.on_host(p_.record);
+    const auto positions = on_.on_host(p_.position);
+    const auto types = on_.on_host(p_.type);
+    const auto ids = on_.on_host(p_.id);
+    const auto masses = on_.on_host(p_.mass);
+    out.id.assign(ids.begin(), ids.end());
+    out.mass.assign(masses.begin(), masses.end());
     out.type.resize(n);
     out.position.resize(n);
     out.velocity.resize(n);
     out.density.resize(n);
     out.pressure.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      const Record& r = p_.record[i];
-      out.type[i] = static_cast<ParticleType>(p_.type[i]);
-      out.position[i] = Vec3(p_.position[i].x[0], p_.position[i].x[1], p_.position[i].x[2]);
+      const Record& r = records[i];
+      out.type[i] = static_cast<ParticleType>(types[i]);
+      out.position[i] = Vec3(positions[i].x[0], positions[i].x[1], positions[i].x[2]);
       out.velocity[i] = Eigen::Vector3f(r.velocity[0], r.velocity[1], r.velocity[2]);
       out.density[i] = scene_.density_in_files(r.phase) * (1 + (r.phase == phase_wall ? 0 : r.excess));
       out.pressure[i] = r.pressure;
     }
     if (!work_.mixture.pores.empty()) {
+      const auto pores = on_.on_host(work_.mixture.pores);
       auto& porosity = out.scalars["Porosity"];
-      for (std::size_t i = 0; i < n; ++i) porosity.push_back(i < p_.fluid_count ? work_.mixture.pores[i].porosity : 1);
+      for (std::size_t i = 0; i < n; ++i) porosity.push_back(i < p_.fluid_count ? pores[i].porosity : 1);
     }
     if (scene_.seepage.pore_pressure) {
-      out.scalars[excess_pore_pressure_array].assign(p_.excess_pore_pressure.begin(), p_.excess_pore_pressure.end());
+      const auto pressure = on_.on_host(p_.excess_pore_pressure);
+      out.scalars[excess_pore_pressure_array].assign(pressure.begin(), pressure.end());
     }
-    if (!scene_.has_sediment) return;
+    if (scene_.has_sediment) copy_sediment(out, records);
+    if (scene_.has_states) copy_states(out, records);
+  }
+
+  template <class Records>
+  void copy_sediment(ParticleSet& out, const Records& records) {
+    const std::size_t n = p_.count;
+    const auto sediment = on_.on_host(p_.sediment);
     auto& strain = out.scalars["StrainRate"];
     auto& effective = out.scalars["EffectivePressure"];
     auto& yield = out.scalars["YieldStress"];
@@ -228,49 +303,25 @@ class SimulationOn final : public Simulation {
     std::vector<float>* resting = scene_.may_rest ? &out.scalars["Resting"] : nullptr;
     if (resting != nullptr) resting->assign(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
-      if (p_.record[i].phase == phase_sediment) out.viscosity[i] = p_.record[i].viscosity;
-      strain[i] = p_.sediment[i].strain_rate;
-      effective[i] = p_.sediment[i].effective_pressure;
-      yield[i] = p_.sediment[i].yield_stress;
-      if (resting != nullptr && is_resting(p_.record[i])) (*resting)[i] = 1;
+      if (records[i].phase == phase_sediment) out.viscosity[i] = records[i].viscosity;
+      strain[i] = sediment[i].strain_rate;
+      effective[i] = sediment[i].effective_pressure;
+      yield[i] = sediment[i].yield_stress;
+      if (resting != nullptr && is_resting(records[i])) (*resting)[i] = 1;
     }
-    if (scene_.has_states) copy_states(out);
   }
 
-  void copy_states(ParticleSet& out) {
+  template <class Records>
+  void copy_states(ParticleSet& out, const Records& records) {
+    const auto bed = on_.on_host(p_.bed);
     auto& shields = out.scalars["ShieldsNumber"];
     shields.resize(p_.count);
     out.state.resize(p_.count);
     for (Index i = 0; i < p_.count; ++i) {
-      const float state = is_resting(p_.record[i]) ? state_deposit : p_.record[i].state;
+      const float state = is_resting(records[i]) ? state_deposit : records[i].state;
       out.state[i] = static_cast<SedimentState>(static_cast<int>(state));
-      shields[i] = shields_number(p_.bed[i].shear_stress, scene_.erosion.grain_weight);
+      shields[i] = shields_number(bed[i].shear_stress, scene_.erosion.grain_weight);
     }
-  }
-
-  /// Particles within the kernel's support of a fluid particle, itself included, averaged over a sample.
-  double mean_neighbours() const {
-    if (p_.fluid_count == 0 || p_.list_begin.empty()) return 0;
-    const ClusterList list = p_.list();
-    const double support2 = double(scene_.support()) * double(scene_.support());
-    const Index stride = std::max<Index>(1, p_.fluid_clusters / 1000);
-    double found = 0, particles = 0;
-    for (Index c = 0; c < p_.fluid_clusters; c += stride) {
-      for (Index i = list.first(c); i < list.last(c); ++i, ++particles) {
-        for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
-          if (list.entries[e] == p_.count) continue;
-          double r2 = 0;
-          for (int k = 0; k < Dim; ++k) {
-            const int axis_k = axis<Dim>(k);
-            const auto d =
-                Lattice<Dim>::difference(p_.record[i].place[axis_k], p_.record[list.entries[e]].place[axis_k]);
-            r2 += std::pow(double(d) * double(scene_.lattice.quantum[k]), 2);
-          }
-          if (r2 < support2) found += 1;
-        }
-      }
-    }
-    return found / particles;
   }
 
   Device on_;

@@ -11,7 +11,8 @@ thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::Simul
   const char* isa = thalweg::native_width == 16 ? "AVX-512" : thalweg::native_width == 8 ? "AVX2" : "baseline";
   std::string name = "OpenMP, " + std::string(isa) + ", " + std::to_string(device.threads) +
                      (device.threads == 1 ? " thread" : " threads");
-  return new thalweg::SimulationOn<Dim, thalweg::OpenMp<>>(device, std::move(name), scene, *input.particles);
+  return new thalweg::SimulationOn<Dim, thalweg::OpenMp<>>(device, std::move(name), scene, *input.particles,
+                                                           input.profile);
 }
 
 }  // namespace

@@ -114,9 +114,10 @@ struct Particles {
 /// Calls body(i) for every particle of the clusters in range.
 template <class Device, class Body>
 void for_each_member(Device& on, const ClusterList& list, ClusterRange range, const Body& body) {
-  on.for_each(range.count, [=](Index n) {
-    const Index c = range[n];
-    for (Index i = list.first(c); i < list.last(c); ++i) body(i);
+  on.for_each(range.count * cluster_size, [=] HOST_DEVICE(Index n) {
+    const Index c = range[n / cluster_size];
+    const Index i = list.first(c) + n % cluster_size;
+    if (i < list.last(c)) body(i);
   });
 }
 

@@ -103,8 +103,8 @@ class Run {
   Run(const Case& c, const ParticleSet& start, const RunOptions& options)
       : case_(c),
         clock_{start.info.time, start.info.step},
-        simulation_(
-            make_simulation({make_scene(c, start), &start, options.threads}, options.backend, options.instruction_set)),
+        simulation_(make_simulation({make_scene(c, start), &start, options.threads, options.profile}, options.backend,
+                                    options.instruction_set)),
         output_({options.folder}, info(start), clock_),
         snapshot_times_(snapshot_times(c)),
         history_interval_(c.output.history_interval > 0 ? c.output.history_interval : c.output.end / 100),
@@ -118,9 +118,21 @@ class Run {
     announce_seepage(c);
   }
 
+  /// So many steps as fast as they go, without files.
+  Exit benchmark(std::int64_t steps) {
+    start_clocks();
+    while (counts_.steps < steps && caught_signal == 0) {
+      const StepReport report = simulation_->advance(case_.output.end - clock_.time);
+      if (report.diverged) fail(report);
+      count(report);
+      counts_.excluded += static_cast<std::int64_t>(report.excluded.size());
+    }
+    finish();
+    return Exit::done;
+  }
+
   Exit to_the_end() {
-    wall_start_ = seconds_now();
-    cpu_start_ = cpu_seconds_now();
+    start_clocks();
     last_checkpoint_ = wall_start_;
     std::size_t next = 0;
     while (next < snapshot_times_.size() && snapshot_times_[next] <= clock_.time + time_resolution()) ++next;
@@ -159,12 +171,7 @@ class Run {
     const StepReport report = simulation_->advance(longest);
     if (!report.excluded.empty()) exclude(report.excluded);
     if (report.diverged) fail(report);
-    clock_.time += report.dt;
-    ++clock_.step;
-    ++counts_.steps;
-    counts_.particle_steps += static_cast<double>(initial_fluid_ - counts_.excluded);
-    counts_.viscous_iterations += report.viscous.iterations;
-    counts_.pressure_sweeps += report.pressure_sweeps;
+    count(report);
     warn_of_fallbacks(report);
     simulation_->timing().time(Heading::output, [&] {
       if (clock_.step == 1 || clock_.time >= next_history_) {
@@ -175,6 +182,15 @@ class Run {
       if (seconds_now() - last_checkpoint_ > checkpoint_seconds) write_checkpoint();
       progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
     });
+  }
+
+  void count(const StepReport& report) {
+    clock_.time += report.dt;
+    ++clock_.step;
+    ++counts_.steps;
+    counts_.particle_steps += static_cast<double>(initial_fluid_ - counts_.excluded);
+    counts_.viscous_iterations += report.viscous.iterations;
+    counts_.pressure_sweeps += report.pressure_sweeps;
   }
 
   /// Says the first time that a step needed more than the usual; history.csv counts all of them.
@@ -248,6 +264,11 @@ class Run {
                  counts_.excluded > 0 ? fmt::format(", {} particles excluded", counts_.excluded) : "");
   }
 
+  void start_clocks() {
+    wall_start_ = seconds_now();
+    cpu_start_ = cpu_seconds_now();
+  }
+
   void count_seconds() {
     counts_.wall_seconds = seconds_now() - wall_start_;
     counts_.cpu_seconds = cpu_seconds_now() - cpu_start_;
@@ -295,7 +316,7 @@ Exit run_solver(const RunOptions& options) {
   std::signal(SIGINT, catch_signal);
   std::signal(SIGTERM, catch_signal);
   Run run(c, start, options);
-  return run.to_the_end();
+  return options.benchmark > 0 ? run.benchmark(options.benchmark) : run.to_the_end();
 }
 
 }  // namespace thalweg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ struct RunOptions {
   std::string backend = "auto";
   std::string instruction_set = "auto";
   int threads = 0;                // 0: all cores
+  bool profile = false;           // wait for the device after every heading of the timing
+  std::int64_t benchmark = 0;     // so many steps, of which only summary and timing are written; 0: the run
   std::filesystem::path restart;  // empty: from particles.vtp
   std::string until;              // with unit; empty: output.end
   std::vector<std::string> overrides;

@@ -81,9 +81,12 @@ void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
   ParticleSet particles = simulation.snapshot();
   particles.info = info_at(clock);
   const std::filesystem::path name = folder_.snapshots().filename() / fmt::format("s{:05}.vtp", series_.size());
-  write_particles(folder_.root / name, particles, PositionPrecision::single_precision);
   series_.push_back({clock.time, name});
-  write_series(folder_.snapshot_series(), series_);
+  writing_.start([particles = std::move(particles), file = folder_.root / name, all = folder_.snapshot_series(),
+                  series = series_] {
+    write_particles(file, particles, PositionPrecision::single_precision);
+    write_series(all, series);
+  });
 }
 
 void RunOutput::history(const Totals& t, const StepReport& report, const RunClock& clock, const RunCounts& counts) {
@@ -100,6 +103,7 @@ void RunOutput::history(const Totals& t, const StepReport& report, const RunCloc
 
 void RunOutput::checkpoint(Simulation& simulation, const RunClock& clock) {
   ParticleSet particles = simulation.full_state();
+  writing_.wait();
   particles.info = info_at(clock);
   write_particles(folder_.checkpoint(), particles, PositionPrecision::double_precision);
 }
@@ -116,11 +120,13 @@ std::filesystem::path RunOutput::write_diverged(Simulation& simulation, const Ru
   ParticleSet particles = simulation.snapshot();
   particles.info = info_at(clock);
   const auto file = folder_.root / "diverged.vtp";
+  writing_.wait();
   write_particles(file, particles, PositionPrecision::single_precision);
   return file;
 }
 
 void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunCounts& counts) {
+  writing_.wait();
   double total = 0;
   for (const auto& entry : simulation.timing().entries()) total += entry.seconds;
   write_whole_text(folder_.timing(), [&](std::ostream& to) {

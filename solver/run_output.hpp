@@ -7,6 +7,7 @@
 
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
+#include "solver/background_task.hpp"
 #include "solver/simulation.hpp"
 
 namespace thalweg {
@@ -29,7 +30,8 @@ struct RunCounts {
   std::int64_t steps = 0;     // of this run, without what came before a restart
 };
 
-/// Writes everything a run leaves in its folder; each file is whole at any moment.
+/// Writes everything a run leaves in its folder; each file is whole at any moment. A snapshot is copied at once and
+/// written while the run goes on; the next file that is written from particles waits for it.
 class RunOutput {
  public:
   /// `start` tells a fresh run (time 0: older results are replaced) from a continued one (rows and snapshots up to that
@@ -58,6 +60,7 @@ class RunOutput {
   std::ofstream history_;
   std::ofstream excluded_;
   std::int64_t excluded_before_ = 0;
+  BackgroundTask writing_;
 };
 
 }  // namespace thalweg

@@ -61,11 +61,12 @@ struct SimulationInput {
   AnyScene scene;
   const ParticleSet* particles = nullptr;  // from gencase, or full_state() of an earlier run
   int threads = 0;                         // 0: as many as the machine has cores
+  bool profile = false;                    // wait for the device after every heading of the timing
 };
 
-/// Makes a simulation on the best device of this machine for `backend` = "auto" or "openmp", with the widest
-/// instruction set this processor has, or the one named ("avx512", "avx2", "baseline"). Throws InputError for a device
-/// it has not.
+/// Makes a simulation on the device `backend` names, "cuda" or "openmp", or with "auto" on the first GPU if there is
+/// one that can be used; on CPU cores with the widest instruction set this processor has, or the one named ("avx512",
+/// "avx2", "baseline"). Throws InputError for a device that is not there, or that is too small for the scene.
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const std::string& backend,
                                             const std::string& instruction_set);
 

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
+#include <type_traits>
+#include <utility>
 
 namespace thalweg {
 
@@ -55,9 +58,22 @@ class Timing {
   /// Runs what() and books its time under the heading.
   template <class What>
   decltype(auto) time(Heading heading, const What& what) {
+    current_ = heading;
     const Booking booking(entries_[static_cast<std::size_t>(heading)]);
-    return what();
+    if constexpr (std::is_void_v<decltype(what())>) {
+      what();
+      if (finish_) finish_();
+    } else {
+      auto result = what();
+      if (finish_) finish_();
+      return result;
+    }
   }
+
+  /// Lets every heading wait for a device that works on its own; without it time is booked where it is waited for.
+  void wait_with(std::function<void()> finish) { finish_ = std::move(finish); }
+  /// The heading begun last.
+  [[nodiscard]] const char* current() const { return heading_names[static_cast<std::size_t>(current_)]; }
 
   [[nodiscard]] const auto& entries() const { return entries_; }
 
@@ -76,6 +92,8 @@ class Timing {
   };
 
   std::array<Entry, static_cast<std::size_t>(Heading::count)> entries_{};
+  std::function<void()> finish_;
+  Heading current_ = Heading::refresh_neighbours;
 };
 
 }  // namespace thalweg

@@ -5,6 +5,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/backend/buffer.hpp"
@@ -21,6 +23,9 @@ void stable_sort_by_key(HostBuffer<std::uint64_t>& key, HostBuffer<Index>& order
 template <int W = native_width>
 struct OpenMp {
   static constexpr int width = W;
+  /// Whether sweeps of an iteration keep what they know of a pair or compute it again: memory is plentiful here and
+  /// arithmetic is not, on a GPU the other way round.
+  static constexpr bool stores_coefficients = true;
   template <class T>
   using Buffer = HostBuffer<T>;
 
@@ -36,6 +41,28 @@ struct OpenMp {
     __atomic_fetch_add(counter, amount, __ATOMIC_RELAXED);
   }
 
+  /// Takes numbers from the host to the device, and makes a buffer of n equal ones.
+  template <class T>
+  static void put(HostBuffer<T>&& numbers, Buffer<T>& to) {
+    to = std::move(numbers);
+  }
+  template <class T>
+  static void fill(Buffer<T>& buffer, std::size_t n, const T& value) {
+    buffer.assign(n, value);
+  }
+  /// The buffer's entries [from, to) for the host to read; valid until the buffer changes.
+  template <class T>
+  static std::span<const T> on_host(const Buffer<T>& buffer, std::size_t from, std::size_t to) {
+    return std::span<const T>(buffer).subspan(from, to - from);
+  }
+  template <class T>
+  static std::span<const T> on_host(const Buffer<T>& buffer) {
+    return buffer;
+  }
+
+  /// Until everything asked for is done.
+  static void finish() {}
+
   /// body(i) for i in [0, n): the particle pass.
   template <class Body>
   void for_each(Index n, const Body& body) const {
@@ -44,7 +71,8 @@ struct OpenMp {
   }
 
   /// combine(… combine(combine(start, of(0)), of(1)) …), over blocks of a fixed size so that rounding does not depend
-  /// on the threads. T is copied freely; combine is associative up to rounding.
+  /// on the threads. T is copied freely; combine is associative up to rounding, and start changes nothing it is
+  /// combined with.
   template <class T, class Of, class Combine>
   T reduce(Index n, T start, const Of& of, const Combine& combine) const {
     constexpr Index block = 2048;

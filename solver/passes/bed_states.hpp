@@ -263,7 +263,7 @@ struct StatePass {
 template <class Device>
 void clear_bed_surface(Device& on, Particles<Device>& p) {
   BedSurface* bed = p.bed.data();
-  on.for_each(p.fluid_count, [=](Index i) {
+  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) {
     const float calm = bed[i].calm;
     bed[i] = {};
     bed[i].calm = calm;
@@ -280,14 +280,15 @@ bool update_bed_states(Device& on, Particles<Device>& p, const Scene<Dim>& scene
                          BedSurfaceSweep<Dim>{p.record.data(), bed, scene});
   if (scene.erosion.bed_shear == BedShear::nearest) {
     const bed_states::NearestWaterPass<Dim> nearest{p.record.data(), bed, list, scene};
-    on.for_each(at_water.count, [=](Index n) {
+    on.for_each(at_water.count, [=] HOST_DEVICE(Index n) {
       const Index c = at_water[n];
       for (Index i = list.first(c); i < list.last(c); ++i) nearest(i);
     });
   }
   const bed_states::StatePass<Dim> pass{p.record.data(), p.sediment.data(), bed, scene, static_cast<float>(dt)};
   return on.reduce(
-      p.fluid_count, false, [=](Index i) { return pass(i); }, [](bool a, bool b) { return a || b; });
+      p.fluid_count, false, [=] HOST_DEVICE(Index i) { return pass(i); },
+      [] HOST_DEVICE(bool a, bool b) { return a || b; });
 }
 
 }  // namespace thalweg

@@ -41,7 +41,7 @@ Totals sum_totals(Device& on, const Particles<Device>& p, const Scene<Dim>& scen
   const float* mass = p.mass.data();
   return on.reduce(
       p.fluid_count, Totals{},
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         Totals t;
         const Record& r = records[i];
         if (r.volume == 0) return t;
@@ -64,7 +64,7 @@ Totals sum_totals(Device& on, const Particles<Device>& p, const Scene<Dim>& scen
         t.suspended = r.state == state_suspended ? 1 : 0;
         return t;
       },
-      [](Totals a, const Totals& b) { return a += b; });
+      [] HOST_DEVICE(Totals a, const Totals& b) { return a += b; });
 }
 
 }  // namespace thalweg

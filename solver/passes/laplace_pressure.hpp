@@ -119,13 +119,13 @@ template <class Device, class Wanted>
 float take_over(Device& on, Record* records, const Sediment* sediment, Index count, const Wanted& wanted) {
   return on.reduce(
       count, 0.0F,
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         if (!wanted(records[i])) return 0.0F;
         const float change = fabsf(sediment[i].effective_pressure - records[i].work[pressure]);
         records[i].work[pressure] = sediment[i].effective_pressure;
         return change;
       },
-      [](float a, float b) { return a > b ? a : b; });
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
 }
 
 }  // namespace laplace
@@ -137,8 +137,8 @@ float largest_effective_pressure(Device& on, const Particles<Device>& p) {
   const Sediment* sediment = p.sediment.data();
   return on.reduce(
       p.fluid_count, 0.0F,
-      [=](Index i) { return records[i].phase == phase_sediment ? sediment[i].effective_pressure : 0.0F; },
-      [](float a, float b) { return a > b ? a : b; });
+      [=] HOST_DEVICE(Index i) { return records[i].phase == phase_sediment ? sediment[i].effective_pressure : 0.0F; },
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
 }
 
 /// Solves for the effective pressure of all sediment, starting from the one it has. Stops when no pressure changes by
@@ -151,8 +151,8 @@ int solve_laplace_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
   const auto sweep = [&](const ClusterRange& range, const auto& body) {
     on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body);
   };
-  const auto is_sediment = [](const Record& r) { return r.phase == phase_sediment; };
-  const auto is_wall = [](const Record& r) { return r.phase == phase_wall; };
+  const auto is_sediment = [] HOST_DEVICE(const Record& r) { return r.phase == phase_sediment; };
+  const auto is_wall = [] HOST_DEVICE(const Record& r) { return r.phase == phase_wall; };
   const SedimentScene& law = scene.sediment;
   Vec<Dim, float> submerged_weight{};
   submerged_weight.vertical() = -law.submerged_weight;
@@ -160,7 +160,7 @@ int solve_laplace_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
   const WallSweep<Dim> at_walls{sediment, scene, submerged_weight};
   const JacobiSweep<Dim> in_the_bed{records, sediment, scene, top_pressure};
 
-  on.for_each(p.count, [=](Index i) {
+  on.for_each(p.count, [=] HOST_DEVICE(Index i) {
     for (float& w : records[i].work) w = 0;
     records[i].work[pressure] = sediment[i].effective_pressure;
   });
@@ -175,7 +175,7 @@ int solve_laplace_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
     ++sweeps;
   }
   // The viscous solve needs the quad next, and walls standing still in it.
-  on.for_each(p.count, [=](Index i) {
+  on.for_each(p.count, [=] HOST_DEVICE(Index i) {
     for (float& w : records[i].work) w = 0;
   });
   return sweeps;

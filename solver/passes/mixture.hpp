@@ -322,6 +322,7 @@ void compute_mixture_accelerations(Device& on, Particles<Device>& p, const Scene
 template <int Dim>
 struct MixtureCoupling {
   static constexpr unsigned quads = quad_place | quad_motion | quad_matter | quad_work;
+  static constexpr bool needs_stored = true;  // the iteration writes over the work quad
   Scene<Dim> scene;
 
   template <class LaneT, class L>
@@ -344,7 +345,7 @@ ViscousResult solve_mixture_viscosity(Device& on, Particles<Device>& p, const Sc
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
   const PoreState* pores = mix.pores.data();
-  on.for_each(p.fluid_count, [=](Index i) {
+  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) {
     Record& r = records[i];
     r.work[0] = pores[i].exchange;
     if (r.phase != phase_sediment || !mixture::is_loose(pores[i].porosity, scene)) return;
@@ -434,7 +435,7 @@ void compute_mixture_density_rates(Device& on, Particles<Device>& p, const Scene
   const auto sweep = [&](ClusterRange range, const auto& body) {
     on.template sweep<Dim>(p.list(), range, records, scene.lattice.quantum, body);
   };
-  on.for_each(p.fluid_count, [=](Index i) {
+  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = records[i].velocity[c];
   });
   sweep(p.near_sediment(), VolumeFluxSweep<Dim>{records, pores, scene});

@@ -157,18 +157,40 @@ struct ClusterSearch {
   }
 };
 
+/// How many particles there are without the excluded ones, and how many of them are fluid.
+struct Census {
+  Index kept = 0;
+  Index fluid = 0;
+};
+
+template <class Device>
+Census take_census(Device& on, const Particles<Device>& p) {
+  const Record* records = p.record.data();
+  return on.reduce(
+      p.count, Census{},
+      [=] HOST_DEVICE(Index i) {
+        if (records[i].volume == 0) return Census{};
+        return Census{1, records[i].phase == phase_wall ? Index{0} : Index{1}};
+      },
+      [] HOST_DEVICE(Census a, const Census& b) {
+        return Census{a.kept + b.kept, a.fluid + b.fluid};
+      });
+}
+
 /// Sorts all per-particle arrays; excluded particles (zero volume) end up behind `count` and are returned.
 template <int Dim, class Device>
 std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  using Buffer64 = typename Device::template Buffer<std::uint64_t>;
-  Buffer64 key(p.count);
-  typename Device::template Buffer<Index> order(p.count);
+  const Census census = take_census(on, p);
+  typename Device::template Buffer<std::uint64_t> key;
+  typename Device::template Buffer<Index> order;
+  key.resize(p.count);
+  order.resize(p.count);
   {
     const Record* records = p.record.data();
     std::uint64_t* keys = key.data();
     Index* o = order.data();
     const Lattice<Dim> lattice = scene.lattice;
-    on.for_each(p.count, [=](Index i) {
+    on.for_each(p.count, [=] HOST_DEVICE(Index i) {
       const Record& r = records[i];
       std::uint64_t k = morton_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits));
       if (r.phase == phase_wall) k |= wall_section;
@@ -192,16 +214,20 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
   if (scene.has_states) scratch_reorder(p.bed);
   if (scene.seepage.pore_pressure) scratch_reorder(p.excess_pore_pressure);
 
-  const Index wall_begin = static_cast<Index>(std::lower_bound(key.begin(), key.end(), wall_section) - key.begin());
-  const Index end = static_cast<Index>(std::lower_bound(key.begin(), key.end(), excluded_section) - key.begin());
+  const Index end = census.kept;
   std::vector<ExcludedParticle> excluded;
-  for (Index i = end; i < p.count; ++i) {
-    const Record& r = p.record[i];
-    excluded.push_back({p.id[i], p.type[i], p.position[i], {r.velocity[0], r.velocity[1], r.velocity[2]}});
-  }
   if (end < p.count) {
-    p.record[end] = p.record[p.count];
+    const auto records = on.on_host(p.record, end, p.count);
+    const auto ids = on.on_host(p.id, end, p.count);
+    const auto types = on.on_host(p.type, end, p.count);
+    const auto positions = on.on_host(p.position, end, p.count);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      const Record& r = records[i];
+      excluded.push_back({ids[i], types[i], positions[i], {r.velocity[0], r.velocity[1], r.velocity[2]}});
+    }
     p.record.resize(end + 1);
+    Record* last = p.record.data() + end;
+    on.for_each(1, [=] HOST_DEVICE(Index) { *last = Record{}; });
     p.position.resize(end);
     p.mass.resize(end);
     p.id.resize(end);
@@ -212,7 +238,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
     if (scene.seepage.pore_pressure) p.excess_pore_pressure.resize(end);
   }
   p.count = end;
-  p.fluid_count = wall_begin;
+  p.fluid_count = census.fluid;
   return excluded;
 }
 
@@ -223,26 +249,29 @@ struct Cells {
   typename Device::template Buffer<Index> end[2];
 };
 
+template <int Dim>
+struct CellBox {
+  Vec<Dim, std::int64_t> low, high;
+};
+
 template <int Dim, class Device>
 Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
   Cells<Dim, Device> cells;
   CellTable<Dim>& table = cells.table;
   const Record* records = p.record.data();
   const Lattice<Dim> lattice = scene.lattice;
-  struct Box {
-    Vec<Dim, std::int64_t> low, high;
-  };
+  using Box = CellBox<Dim>;
   Box box{};
   for (int k = 0; k < Dim; ++k) box.low[k] = INT64_MAX, box.high[k] = -1;
   box = on.reduce(
       p.count, box,
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         Box b{};
         const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
         for (int k = 0; k < Dim; ++k) b.low[k] = b.high[k] = cell[k];
         return b;
       },
-      [](Box a, const Box& b) {
+      [] HOST_DEVICE(Box a, const Box& b) {
         for (int k = 0; k < Dim; ++k) {
           a.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
           a.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
@@ -256,8 +285,8 @@ Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scen
   }
   const std::int64_t n = table.size();
   for (int s = 0; s < 2; ++s) {
-    cells.begin[s].assign(static_cast<std::size_t>(n), 0);
-    cells.end[s].assign(static_cast<std::size_t>(n), 0);
+    on.fill(cells.begin[s], static_cast<std::size_t>(n), Index{0});
+    on.fill(cells.end[s], static_cast<std::size_t>(n), Index{0});
     table.begin[s] = cells.begin[s].data();
     table.end[s] = cells.end[s].data();
   }
@@ -265,13 +294,13 @@ Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scen
   Index* ends[2] = {cells.end[0].data(), cells.end[1].data()};
   const Index fluid = p.fluid_count;
   const Index count = p.count;
-  const auto number = [=](Index i) {
+  const auto number = [=] HOST_DEVICE(Index i) {
     const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
     Vec<Dim, std::int64_t> c{};
     for (int k = 0; k < Dim; ++k) c[k] = cell[k];
     return table.number(c);
   };
-  on.for_each(count, [=](Index i) {
+  on.for_each(count, [=] HOST_DEVICE(Index i) {
     const int s = i < fluid ? 0 : 1;
     const std::int64_t c = number(i);
     if (i == 0 || i == fluid || number(i - 1) != c) begins[s][c] = i;
@@ -292,16 +321,17 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
     search.places[k] = places[k].data();
     std::int32_t* to = places[k].data();
     const Record* from = p.record.data();
-    on.for_each(p.count, [=](Index i) { to[i] = from[i].place[axis<Dim>(k)]; });
+    on.for_each(p.count, [=] HOST_DEVICE(Index i) { to[i] = from[i].place[axis<Dim>(k)]; });
   }
   p.fluid_clusters = (p.fluid_count + cluster_size - 1) / cluster_size;
   p.clusters = p.fluid_clusters + (p.count - p.fluid_count + cluster_size - 1) / cluster_size;
 
   ClusterList list = p.list();
-  typename Device::template Buffer<Index> counts(p.clusters);
+  typename Device::template Buffer<Index> counts;
+  counts.resize(p.clusters);
   {
     Index* c = counts.data();
-    on.for_each(p.clusters, [=](Index cluster) {
+    on.for_each(p.clusters, [=] HOST_DEVICE(Index cluster) {
       Index n = 0;
       search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1,
                     [&](Index) { ++n; });
@@ -313,12 +343,13 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   list = p.list();
 
   constexpr std::uint8_t reaches_sediment = 1, reaches_water = 2, has_sediment = 4;
-  typename Device::template Buffer<std::uint8_t> about(p.clusters);
+  typename Device::template Buffer<std::uint8_t> about;
+  about.resize(p.clusters);
   {
     Index* entries = p.list_entries.data();
     std::uint8_t* flags = about.data();
     const Record* records = p.record.data();
-    on.for_each(p.clusters, [=](Index cluster) {
+    on.for_each(p.clusters, [=] HOST_DEVICE(Index cluster) {
       Index at = list.begin[cluster];
       std::uint8_t f = 0;
       for (Index i = list.first(cluster); i < list.last(cluster); ++i) {
@@ -332,25 +363,27 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
       for (; at < list.begin[cluster + 1]; ++at) entries[at] = list.count;
       flags[cluster] = f;
     });
-    for (Index e = total; e < total + 2 * list_prefetch; ++e) entries[e] = p.count;
+    on.for_each(2 * list_prefetch, [=] HOST_DEVICE(Index e) { entries[total + e] = list.count; });
   }
 
   const std::uint8_t* flags = about.data();
   on.select(
-      p.fluid_clusters, [=](Index c) { return (flags[c] & reaches_sediment) != 0; }, p.clusters_with_sediment);
+      p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) != 0; },
+      p.clusters_with_sediment);
   on.select(
-      p.fluid_clusters, [=](Index c) { return (flags[c] & reaches_sediment) == 0; }, p.clusters_of_water);
+      p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) == 0; }, p.clusters_of_water);
   if (scene.has_states) {
     constexpr std::uint8_t both = has_sediment | reaches_water;
     on.select(
-        p.fluid_clusters, [=](Index c) { return (flags[c] & both) == both; }, p.clusters_at_bed_surface);
+        p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & both) == both; }, p.clusters_at_bed_surface);
   }
   const Index fluid_clusters = p.fluid_clusters;
   on.select(
       p.clusters - p.fluid_clusters,
-      [=](Index c) { return list.begin[fluid_clusters + c + 1] > list.begin[fluid_clusters + c]; },
+      [=] HOST_DEVICE(Index c) { return list.begin[fluid_clusters + c + 1] > list.begin[fluid_clusters + c]; },
       p.clusters_of_walls);
-  for (Index& c : p.clusters_of_walls) c += fluid_clusters;
+  Index* walls = p.clusters_of_walls.data();
+  on.for_each(static_cast<Index>(p.clusters_of_walls.size()), [=] HOST_DEVICE(Index n) { walls[n] += fluid_clusters; });
 }
 
 /// Whether a particle has left the domain since the lists were made.
@@ -358,7 +391,8 @@ template <class Device>
 bool has_excluded(Device& on, const Particles<Device>& p) {
   const Record* records = p.record.data();
   return on.reduce(
-      p.fluid_count, false, [=](Index i) { return records[i].volume == 0; }, [](bool a, bool b) { return a || b; });
+      p.fluid_count, false, [=] HOST_DEVICE(Index i) { return records[i].volume == 0; },
+      [] HOST_DEVICE(bool a, bool b) { return a || b; });
 }
 
 /// Largest squared distance a particle has moved since the lists were made [m^2]; infinite when one was excluded.
@@ -369,7 +403,7 @@ float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& sc
   const Vec<Dim, float> quantum = scene.lattice.quantum;
   return on.reduce(
       p.fluid_count, 0.0F,
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         if (records[i].volume == 0) return INFINITY;
         float d2 = 0;
         for (int k = 0; k < Dim; ++k) {
@@ -380,7 +414,7 @@ float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& sc
         }
         return d2;
       },
-      [](float a, float b) { return a > b ? a : b; });
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
 }
 
 }  // namespace neighbours
@@ -397,7 +431,7 @@ std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& 
   p.listed_at.resize(p.count);
   const Record* records = p.record.data();
   Place* listed = p.listed_at.data();
-  on.for_each(p.count, [=](Index i) {
+  on.for_each(p.count, [=] HOST_DEVICE(Index i) {
     for (int k = 0; k < 3; ++k) listed[i].c[k] = records[i].place[k];
   });
   ++rebuilt;

@@ -108,7 +108,7 @@ void advance_pore_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
   const Rates* rates = p.rates.data();
   float* pressure = p.excess_pore_pressure.data();
   const auto source = static_cast<float>(double(scene.seepage.pore_stiffness) * dt);
-  on.for_each(p.fluid_count, [=](Index i) {
+  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) {
     if (records[i].phase == phase_sediment) pressure[i] += source * rates[i].excess_rate;
   });
   diffusion.stages = 0;
@@ -117,7 +117,7 @@ void advance_pore_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
   diffusion.before.resize(p.count);
   float* loss = diffusion.loss.data();
   float* before = diffusion.before.data();
-  on.for_each(p.fluid_count, [=](Index i) { before[i] = 0; });
+  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) { before[i] = 0; });
   const auto sweep = [&](const auto& body) {
     on.template sweep<Dim>(p.list(), p.near_sediment(), records, scene.lattice.quantum, body);
   };
@@ -125,7 +125,7 @@ void advance_pore_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
   const int stages = legendre_stages(dt / explicit_diffusion_step(scene));
   const double share = 2.0 / (double(stages) * (stages + 1));
   for (int j = 1; j <= stages; ++j) {
-    on.for_each(p.fluid_count, [=](Index i) { records[i].work[0] = pressure[i]; });
+    on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) { records[i].work[0] = pressure[i]; });
     const double mu = j == 1 ? 1 : (2.0 * j - 1) / j;
     const double tau = mu * share * dt * double(scene.seepage.consolidation);
     sweep(DiffusionStage<Dim>{records, loss, before, pressure, scene, static_cast<float>(mu),

@@ -90,40 +90,48 @@ struct MayStop {
 
 }  // namespace rest
 
+namespace rest {
+
+/// The clusters in range for which keep(cluster), in order.
+template <class Device, class Keep>
+void choose(Device& on, ClusterRange from, const Keep& keep, typename Device::template Buffer<Index>& chosen) {
+  on.select(
+      from.count, [=] HOST_DEVICE(Index n) { return keep(from[n]); }, chosen);
+  Index* c = chosen.data();
+  on.for_each(static_cast<Index>(chosen.size()), [=] HOST_DEVICE(Index n) { c[n] = from[c[n]]; });
+}
+
+}  // namespace rest
+
 /// Makes the lists of clusters that have to be computed after sediment has stopped or woken, or the neighbour lists are
 /// new.
 template <class Device>
 void list_active_clusters(Device& on, Particles<Device>& p) {
   const Record* records = p.record.data();
   const ClusterList list = p.list();
-  const auto resting_members = [=](Index c) {
+  const auto resting_members = [=] HOST_DEVICE(Index c) {
     Index n = 0;
     for (Index i = list.first(c); i < list.last(c); ++i) n += is_resting(records[i]) ? 1 : 0;
     return n;
   };
-  const auto active_in_reach = [=](Index c) {
+  const auto active_in_reach = [=] HOST_DEVICE(Index c) {
     for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
       const Record& b = records[list.entries[e]];
       if (b.phase != phase_wall && !is_resting(b)) return true;
     }
     return false;
   };
-  const auto choose = [&](ClusterRange from, auto& chosen, const auto& keep) {
-    on.select(
-        from.count, [=](Index n) { return keep(from[n]); }, chosen);
-    Index* c = chosen.data();
-    on.for_each(static_cast<Index>(chosen.size()), [=](Index n) { c[n] = from[c[n]]; });
-  };
   const ClusterRange sediment{p.clusters_with_sediment.data(), static_cast<Index>(p.clusters_with_sediment.size())};
   const ClusterRange walls{p.clusters_of_walls.data(), static_cast<Index>(p.clusters_of_walls.size())};
-  choose(sediment, p.clusters_part_resting, [=](Index c) {
-    const Index n = resting_members(c);
-    return n > 0 && n < list.last(c) - list.first(c);
-  });
-  choose(sediment, p.clusters_active, [=](Index c) { return resting_members(c) < list.last(c) - list.first(c); });
-  choose(sediment, p.clusters_shore,
-         [=](Index c) { return resting_members(c) == list.last(c) - list.first(c) && active_in_reach(c); });
-  choose(walls, p.clusters_of_walls_active, active_in_reach);
+  const auto all_rest = [=] HOST_DEVICE(Index c) { return resting_members(c) == list.last(c) - list.first(c); };
+  rest::choose(
+      on, sediment, [=] HOST_DEVICE(Index c) { return resting_members(c) > 0 && !all_rest(c); },
+      p.clusters_part_resting);
+  rest::choose(
+      on, sediment, [=] HOST_DEVICE(Index c) { return !all_rest(c); }, p.clusters_active);
+  rest::choose(
+      on, sediment, [=] HOST_DEVICE(Index c) { return all_rest(c) && active_in_reach(c); }, p.clusters_shore);
+  rest::choose(on, walls, active_in_reach, p.clusters_of_walls_active);
   p.any_resting = p.clusters_active.size() < p.clusters_with_sediment.size() || p.clusters_part_resting.size() > 0;
 }
 
@@ -135,19 +143,21 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, doub
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
   const rest::CalmPass calm{records, sediment, scene.rest, scene.sediment.yield_coefficient, static_cast<float>(dt)};
-  const auto sum = [](Changes a, const Changes& b) { return Changes{a.woken + b.woken, a.stopped + b.stopped}; };
+  const auto sum = [] HOST_DEVICE(Changes a, const Changes& b) {
+    return Changes{a.woken + b.woken, a.stopped + b.stopped};
+  };
   const Changes woken = on.reduce(p.fluid_count, Changes{}, calm, sum);
 
   p.stopping.resize(p.fluid_count);
   std::uint8_t* stopping = p.stopping.data();
   const rest::MayStop<Dim> may_stop{records, sediment, p.list(), scene};
-  on.for_each(p.fluid_count, [=](Index i) { stopping[i] = may_stop(i) ? 1 : 0; });
+  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) { stopping[i] = may_stop(i) ? 1 : 0; });
   Rates* rates = p.rates.data();
   // What stops has the pressure and volume of its last density: the equation of state leaves it alone from now on.
   const EquationOfStatePass<Dim> take_state{records, p.mass.data(), scene};
   const Changes stopped = on.reduce(
       p.fluid_count, Changes{},
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         if (stopping[i] == 0) return Changes{};
         take_state(i);
         records[i].state = state_resting;

@@ -308,11 +308,11 @@ void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, C
   std::int64_t* deposited = weight.deposited.data();
   std::uint8_t* wetted = weight.wetted.data();
   const int levels = columns.levels();
-  on.for_each(static_cast<Index>(columns.columns()), [=](Index column) {
+  on.for_each(static_cast<Index>(columns.columns()), [=] HOST_DEVICE(Index column) {
     wetted[column] = 0;
     for (int level = 0; level < levels; ++level) deposited[static_cast<std::int64_t>(column) * levels + level] = 0;
   });
-  const auto add = [](std::int64_t* to, std::int64_t amount) { Device::atomic_add(to, amount); };
+  const auto add = [] HOST_DEVICE(std::int64_t * to, std::int64_t amount) { Device::atomic_add(to, amount); };
   on.for_each(p.fluid_count,
               DepositPass<Dim, decltype(add)>{p.record.data(), p.position.data(), columns, deposited, wetted, add});
   const double column_area = std::pow(scene.spacing, Dim - 1);
@@ -339,7 +339,7 @@ void share_pressure_of_state(Device& on, Particles<Device>& p, const Scene<Dim>&
   Sediment* sediment = p.sediment.data();
   const float pore_stiffness = scene.sediment.pore_stiffness;
   const float bed_stiffness = scene.stiffness(phase_sediment);
-  on.for_each(p.fluid_count, [=](Index i) {
+  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) {
     const Record& r = records[i];
     if (r.phase != phase_sediment) return;
     sediment[i].effective_pressure = effective_pressure_of_state(r.pressure, pore_stiffness, bed_stiffness);

@@ -47,7 +47,7 @@ Extremes find_extremes(Device& on, const Particles<Device>& p) {
   const Rates* rates = p.rates.data();
   return on.reduce(
       p.fluid_count, Extremes{},
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         const Record& r = records[i];
         if (r.volume == 0) return Extremes{};
         Extremes e;
@@ -59,7 +59,7 @@ Extremes find_extremes(Device& on, const Particles<Device>& p) {
         e.finite = std::isfinite(e.speed2) && std::isfinite(e.acceleration2) && std::isfinite(e.excess);
         return e;
       },
-      [](Extremes a, const Extremes& b) {
+      [] HOST_DEVICE(Extremes a, const Extremes& b) {
         a.speed2 = a.speed2 > b.speed2 ? a.speed2 : b.speed2;
         a.acceleration2 = a.acceleration2 > b.acceleration2 ? a.acceleration2 : b.acceleration2;
         a.excess = a.excess > b.excess ? a.excess : b.excess;
@@ -76,11 +76,11 @@ double largest_sediment_viscosity(Device& on, const Particles<Device>& p, const 
   const float density_at_rest = scene.sediment_density;
   const float in_the_bed = on.reduce(
       p.fluid_count, 0.0F,
-      [=](Index i) {
+      [=] HOST_DEVICE(Index i) {
         const Record& r = records[i];
         return r.phase == phase_sediment && r.volume != 0 ? r.viscosity / (density_at_rest * (1 + r.excess)) : 0.0F;
       },
-      [](float a, float b) { return a > b ? a : b; });
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
   const float lighter = scene.water_density < density_at_rest ? scene.water_density : density_at_rest;
   const float between = interface_viscosity(scene.water_viscosity, scene.water_density, static_cast<float>(u),
                                             static_cast<float>(scene.spacing)) /

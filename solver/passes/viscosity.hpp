@@ -45,6 +45,7 @@ struct ViscousResult {
 template <int Dim>
 struct ViscousCoupling {
   static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
+  static constexpr bool needs_stored = false;
   Scene<Dim> scene;
 
   /// k_ab [kg/s]; u = u_a - u_b.
@@ -63,9 +64,10 @@ struct ViscousCoupling {
   }
 };
 
-/// Pair sweep: the coefficients dt k_ab, the diagonal and the residual of the velocities u in the records, which are
-/// the explicit ones u* and a first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b).
-template <int Dim, class Row, class Coupling>
+/// Pair sweep: the diagonal and the residual of the velocities u in the records, which are the explicit ones u* and a
+/// first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b). If `stored`, the coefficients dt
+/// k_ab as well.
+template <int Dim, bool stored, class Row, class Coupling>
 struct ViscousCoefficientSweep {
   static constexpr unsigned quads = Coupling::quads;
   template <class L>
@@ -87,7 +89,7 @@ struct ViscousCoefficientSweep {
     const Vec<Dim, L> u = a.velocity - b.velocity;
     const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
     const L k = L(dt) * coupling.coefficient(a, b, u, closeness);
-    lane_store(coefficient + entry, k);
+    if constexpr (stored) lane_store(coefficient + entry, k);
     sum.coefficients += k;
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
   }
@@ -104,10 +106,11 @@ struct ViscousCoefficientSweep {
   }
 };
 
-/// Pair sweep: A p, p in the records' work quad.
-template <int Dim, class Row>
+/// Pair sweep: A p, p in the records' work quad; the coefficients dt k_ab as stored, or computed again from the
+/// velocities u, which stay in the records until the iteration is over.
+template <int Dim, bool stored, class Row, class Coupling>
 struct ViscousProductSweep {
-  static constexpr unsigned quads = quad_work;
+  static constexpr unsigned quads = stored ? unsigned{quad_work} : quad_work | Coupling::quads;
   template <class L>
   struct Sum {
     Vec<Dim, L> exchange;
@@ -117,11 +120,18 @@ struct ViscousProductSweep {
   const float* mass;
   const float* coefficient;
   Row* rows;
+  Coupling coupling;
+  float dt;
 
   template <class LaneT, class Sep, class L>
-  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep&, std::size_t entry, Sum<L>& sum) const {
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
     L k;
-    lane_load(coefficient + entry, k);
+    if constexpr (stored) {
+      lane_load(coefficient + entry, k);
+    } else {
+      const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
+      k = L(dt) * coupling.coefficient(a, b, a.velocity - b.velocity, closeness);
+    }
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * (a.work[c] - b.work[c]);
   }
 
@@ -148,7 +158,7 @@ struct Norms {
 /// Sum of of(i) over those particles, `of` returning double or Norms; may change what it visits.
 template <class T, class Device, class Of>
 T sum_over_members(Device& on, const ClusterList& list, ClusterRange range, const Of& of) {
-  const auto add = [](T a, const T& b) {
+  const auto add = [] HOST_DEVICE(T a, const T& b) {
     if constexpr (std::is_same_v<T, Norms>) {
       return Norms{a.preconditioned + b.preconditioned, a.squared + b.squared};
     } else {
@@ -157,7 +167,7 @@ T sum_over_members(Device& on, const ClusterList& list, ClusterRange range, cons
   };
   return on.reduce(
       range.count, T{},
-      [=](Index n) {
+      [=] HOST_DEVICE(Index n) {
         const Index c = range[n];
         T sum{};
         for (Index i = list.first(c); i < list.last(c); ++i) sum = add(sum, of(i));
@@ -180,7 +190,7 @@ double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Di
   const float* mass = p.mass.data();
   const Rates* rates = p.rates.data();
   const Sediment* sediment = p.sediment.data();
-  const double squares = sum_over_members<double>(on, p.list(), p.near_sediment(), [=](Index i) {
+  const double squares = sum_over_members<double>(on, p.list(), p.near_sediment(), [=] HOST_DEVICE(Index i) {
     const double m = mass[i];
     const float* viscous = sediment[i].viscous_acceleration;
     return m * m * (g2 + dot3(rates[i].acceleration, rates[i].acceleration) + dot3(viscous, viscous));
@@ -202,7 +212,8 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
   if (range.count == 0) return {};
-  system.coefficient.resize(p.list_entries.size() * cluster_size);
+  constexpr bool stored = Device::stores_coefficients || Coupling::needs_stored;
+  if constexpr (stored) system.coefficient.resize(p.list_entries.size() * cluster_size);
   system.row.resize(p.count);
   Record* records = p.record.data();
   Row* rows = system.row.data();
@@ -214,13 +225,13 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   const auto each = [&](const auto& body) { for_each_member(on, list, range, body); };
 
   // What viscosity did in the last step is the best guess of what it does in this one.
-  each([=](Index i) {
+  each([=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
   });
   on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
-                         ViscousCoefficientSweep<Dim, Row, Coupling>{records, mass, sediment, system.coefficient.data(),
-                                                                     rows, coupling, dt});
-  Norms now = norms([=](Index i) {
+                         ViscousCoefficientSweep<Dim, stored, Row, Coupling>{
+                             records, mass, sediment, system.coefficient.data(), rows, coupling, dt});
+  Norms now = norms([=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
     return viscosity::norms_of(rows[i]);
   });
@@ -232,11 +243,12 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
     result.residual = scale > 0 ? std::sqrt(now.squared) / scale : 0;
     result.converged = result.residual <= scene.viscous_tolerance;
     if (result.converged || result.iterations == scene.viscous_iterations || !std::isfinite(result.residual)) break;
-    on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
-                           ViscousProductSweep<Dim, Row>{records, mass, system.coefficient.data(), rows});
-    const double pAp = total([=](Index i) { return dot3(records[i].work, rows[i].product); });
+    on.template sweep<Dim>(
+        list, range, records, scene.lattice.quantum,
+        ViscousProductSweep<Dim, stored, Row, Coupling>{records, mass, system.coefficient.data(), rows, coupling, dt});
+    const double pAp = total([=] HOST_DEVICE(Index i) { return dot3(records[i].work, rows[i].product); });
     const auto alpha = static_cast<float>(now.preconditioned / pAp);
-    const Norms next = norms([=](Index i) {
+    const Norms next = norms([=] HOST_DEVICE(Index i) {
       for (int c = 0; c < 3; ++c) {
         rows[i].increment[c] += alpha * records[i].work[c];
         rows[i].residual[c] -= alpha * rows[i].product[c];
@@ -245,14 +257,14 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
     });
     const auto beta = static_cast<float>(next.preconditioned / now.preconditioned);
     now = next;
-    each([=](Index i) {
+    each([=] HOST_DEVICE(Index i) {
       for (int c = 0; c < 3; ++c)
         records[i].work[c] = rows[i].residual[c] / rows[i].diagonal + beta * records[i].work[c];
     });
     ++result.iterations;
   }
   const bool converged = result.converged;
-  each([=](Index i) {
+  each([=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) {
       if (converged) {
         records[i].velocity[c] += rows[i].increment[c];

@@ -41,7 +41,7 @@ void apply_explicit_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
   Record* records = p.record.data();
   on.template sweep<Dim>(p.list(), p.near_sediment(), records, scene.lattice.quantum,
                          ExplicitViscositySweep<Dim>{records, p.mass.data(), {scene}, dt});
-  for_each_member(on, p.list(), p.near_sediment(), [=](Index i) {
+  for_each_member(on, p.list(), p.near_sediment(), [=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += records[i].work[c];
   });
 }
@@ -55,7 +55,7 @@ std::int64_t cap_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& s
   const float density_at_rest = scene.sediment_density;
   return on.reduce(
       p.fluid_count, std::int64_t{0},
-      [=](Index i) -> std::int64_t {
+      [=] HOST_DEVICE(Index i) -> std::int64_t {
         Record& r = records[i];
         if (r.phase != phase_sediment || r.volume == 0) return 0;
         const float cap = viscosity_cap(density_at_rest * (1 + r.excess), h, step);
@@ -63,7 +63,7 @@ std::int64_t cap_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& s
         r.viscosity = cap;
         return 1;
       },
-      [](std::int64_t a, std::int64_t b) { return a + b; });
+      [] HOST_DEVICE(std::int64_t a, std::int64_t b) { return a + b; });
 }
 
 namespace viscosity {
@@ -84,7 +84,7 @@ ViscousResult solve_or_shorten(Device& on, Particles<Device>& p, const Scene<Dim
       step.limiter = Limiter::viscosity;
     }
     Sediment* sediment = p.sediment.data();
-    on.for_each(p.fluid_count, [=](Index i) {
+    on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) {
       for (float& a : sediment[i].viscous_acceleration) a = 0;
     });
     ViscousResult again = solve_viscosity(on, p, scene, system, static_cast<float>(step.dt));

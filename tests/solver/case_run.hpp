@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <toml++/toml.h>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -41,7 +42,8 @@ class CaseRun {
   CaseRun& operator=(const CaseRun&) = delete;
 
   void fill(const std::string& case_name, const std::vector<std::string>& overrides) {
-    const auto path = std::filesystem::path(THALWEG_SOURCE_DIR) / "cases" / case_name;
+    const char* cases = std::getenv("THALWEG_CASES");  // of a bundle (tools/bundle)
+    const auto path = std::filesystem::path(cases == nullptr ? THALWEG_SOURCE_DIR "/cases" : cases) / case_name;
     gencase::Generated scene = gencase::generate(read_case(path, overrides));
     write_case(folder_.resolved_case(), scene.resolved);
     write_particles(folder_.particles(), scene.particles, PositionPrecision::double_precision);

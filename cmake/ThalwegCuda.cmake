@@ -1,0 +1,58 @@
+# THALWEG_CUDA: whether the solver's core for NVIDIA GPUs is built. AUTO builds it where the CUDA Toolkit (12 or newer) is;
+# a machine without gets everything else. Sets THALWEG_HAS_CUDA and THALWEG_HAS_GPU, and enables the language.
+set(THALWEG_CUDA "AUTO" CACHE STRING "Build the CUDA core: AUTO (where nvcc is), ON, OFF")
+set_property(CACHE THALWEG_CUDA PROPERTY STRINGS AUTO ON OFF)
+
+set(THALWEG_HAS_CUDA OFF)
+set(THALWEG_HAS_GPU OFF)
+if(THALWEG_CUDA STREQUAL "OFF")
+  return()
+endif()
+
+execute_process(COMMAND nvidia-smi -L RESULT_VARIABLE no_gpu OUTPUT_QUIET ERROR_QUIET)
+if(no_gpu EQUAL 0)
+  set(THALWEG_HAS_GPU ON)
+endif()
+if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+  # Code for A100 and H100/H200, and text (PTX) that newer drivers compile for newer GPUs; "native" or any list may be given.
+  set(CMAKE_CUDA_ARCHITECTURES 80-real 90)
+  if(THALWEG_HAS_GPU)
+    set(CMAKE_CUDA_ARCHITECTURES native)
+  endif()
+endif()
+
+find_program(THALWEG_NVCC nvcc HINTS ENV CUDA_PATH ENV CUDA_HOME PATH_SUFFIXES bin PATHS /usr/local/cuda/bin)
+if(THALWEG_NVCC AND NOT DEFINED CMAKE_CUDA_COMPILER)
+  set(CMAKE_CUDA_COMPILER "${THALWEG_NVCC}")
+endif()
+include(CheckLanguage)
+check_language(CUDA)
+if(NOT CMAKE_CUDA_COMPILER)
+  if(THALWEG_CUDA STREQUAL "ON")
+    message(FATAL_ERROR "THALWEG_CUDA is ON and no CUDA compiler works here: install the CUDA Toolkit, name its nvcc with "
+                        "-DCMAKE_CUDA_COMPILER=…, or configure with -DTHALWEG_CUDA=AUTO")
+  endif()
+  message(STATUS "no CUDA Toolkit found: the solver will run on CPU cores only")
+  return()
+endif()
+enable_language(CUDA)
+find_package(CUDAToolkit 12 REQUIRED)
+if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # unknown to CMake 3.25
+  set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
+  set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
+endif()
+if(THALWEG_CCACHE)
+  set(CMAKE_CUDA_COMPILER_LAUNCHER "${THALWEG_CCACHE}")
+endif()
+set(THALWEG_HAS_CUDA ON)
+message(STATUS "CUDA ${CMAKE_CUDA_COMPILER_VERSION}, for ${CMAKE_CUDA_ARCHITECTURES}")
+
+# The settings of thalweg_settings (ThalwegTarget.cmake) in nvcc's words. The bodies of passes are lambdas for host and device, and
+# call constexpr functions of the standard library; EIGEN_NO_CUDA keeps Eigen, which no kernel uses, plain.
+function(thalweg_cuda_settings target)
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:--extended-lambda --expt-relaxed-constexpr
+    -Werror=all-warnings -Xptxas=-v -Xcompiler=-Wall,-Wextra,-fvisibility=hidden>)
+  target_compile_definitions(${target} PRIVATE THALWEG_VERSION="${PROJECT_VERSION}" EIGEN_NO_CUDA)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()

@@ -1,0 +1,93 @@
+#include "solver/backend/cuda_errors.cuh"
+
+#include "common/error.hpp"
+#include "solver/backend/cuda.cuh"
+
+namespace thalweg {
+namespace {
+
+/// "13.0" from CUDA's 13000.
+std::string version_text(int version) {
+  return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+}
+
+std::string driver_and_runtime() {
+  int driver = 0;
+  int runtime = 0;
+  cudaDriverGetVersion(&driver);
+  cudaRuntimeGetVersion(&runtime);
+  return "the driver supports CUDA " + (driver == 0 ? "none" : version_text(driver)) + ", this build needs " +
+         version_text(runtime);
+}
+
+/// What a user can do about an error; empty where nothing is known.
+std::string cure(cudaError_t status) {
+  switch (status) {
+    case cudaErrorInsufficientDriver:
+    case cudaErrorSystemDriverMismatch:
+    case cudaErrorUnsupportedPtxVersion:
+      return driver_and_runtime() + "; install a newer NVIDIA driver, or build with an older CUDA Toolkit";
+    case cudaErrorNoDevice:
+      return "no NVIDIA GPU is visible; look at nvidia-smi and CUDA_VISIBLE_DEVICES, or use --backend openmp";
+    case cudaErrorNoKernelImageForDevice:
+    case cudaErrorInvalidDeviceFunction:
+      return "this build holds no code for this GPU; configure with -DCMAKE_CUDA_ARCHITECTURES=native on this machine";
+    case cudaErrorMemoryAllocation:
+      return "the GPU's memory is full; use a larger spacing, or end what else runs on it (nvidia-smi)";
+    case cudaErrorDevicesUnavailable:
+      return "another process has the GPU for itself; wait for it, or use --backend openmp";
+    case cudaErrorIllegalAddress:
+    case cudaErrorLaunchFailure:
+    case cudaErrorMisalignedAddress:
+      return "a defect of the program; run it under compute-sanitizer and report what it says";
+    case cudaErrorLaunchTimeout:
+      return "a GPU that drives a display stops long kernels; use one that does not, or fewer particles";
+    default:
+      return "";
+  }
+}
+
+std::string reason(cudaError_t status) {
+  const std::string known = cure(status);
+  return std::string(cudaGetErrorString(status)) + (known.empty() ? "" : "; " + known);
+}
+
+struct Nothing {
+  HOST_DEVICE void operator()(Index) const {}
+};
+
+}  // namespace
+
+void check_cuda(cudaError_t status, const char* doing) {
+  if (status != cudaSuccess) throw RunError(std::string("CUDA, while ") + doing + ": " + reason(status));
+}
+
+std::string cuda_problem() {
+  int devices = 0;
+  const cudaError_t status = cudaGetDeviceCount(&devices);
+  if (status != cudaSuccess) return reason(status);
+  if (devices == 0) return reason(cudaErrorNoDevice);
+  try {
+    // The first kernel tells whether there is code for this device.
+    CudaRuntime::launch(1, Nothing{});
+    CudaRuntime::wait();
+  } catch (const RunError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string cuda_device_name() {
+  cudaDeviceProp properties{};
+  check_cuda(cudaGetDeviceProperties(&properties, 0), "asking for the device");
+  return std::string(properties.name) + ", " + std::to_string(properties.totalGlobalMem / 1000000000) + " GB";
+}
+
+double free_cuda_memory() {
+  std::size_t free = 0;
+  std::size_t total = 0;
+  check_cuda(cudaMemGetInfo(&free, &total), "asking for the memory");
+  return double(free);
+}
+
+}  // namespace thalweg

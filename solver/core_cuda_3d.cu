@@ -1,0 +1,12 @@
+#include "solver/core_cuda.cuh"
+
+#include "solver/backend/cuda.cuh"
+#include "solver/core.hpp"
+
+namespace thalweg {
+
+Simulation* make_on_cuda(const Scene<3>& scene, const ParticleSet& from, bool profile) {
+  return new SimulationOn<3, Cuda>(Cuda{}, "CUDA, " + cuda_device_name(), scene, from, profile);
+}
+
+}  // namespace thalweg
