@@ -34,6 +34,7 @@ class CaseCheck {
     for (const Gauge& each : case_.gauges) gauge(each);
     for (const ProfileLine& each : case_.lines) line(each);
     references();
+    mesh_models();
   }
 
  private:
@@ -51,6 +52,14 @@ class CaseCheck {
     });
     if (!usable || name.front() == '.') {
       reject(key, fmt::format("{} = \"{}\" cannot name files", key, name), "use letters, digits, \"-\" and \"_\"");
+    }
+  }
+
+  void mesh_models() const {
+    for (const std::string& model : case_.foam.models) {
+      if (std::ranges::find(mesh_model_names, model) != mesh_model_names.end()) continue;
+      reject("foam.models", fmt::format("foam.models holds \"{}\"", model),
+             fmt::format("the mesh models are {}", fmt::join(mesh_model_names, ", ")));
     }
   }
 

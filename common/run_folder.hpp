@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace thalweg {
 
@@ -24,7 +25,8 @@ struct RunFolder {
   [[nodiscard]] std::filesystem::path view_script() const { return root / "view.py"; }
   [[nodiscard]] std::filesystem::path report() const { return root / "report"; }
   [[nodiscard]] std::filesystem::path foam() const { return root / "foam"; }
-  [[nodiscard]] std::filesystem::path foam_profiles() const { return root / "foam" / "profiles"; }
+  /// The same run with `times` the spacing (compare.runs).
+  [[nodiscard]] RunFolder coarser(int times) const { return {root / "coarser" / (std::to_string(times) + "x")}; }
 };
 
 }  // namespace thalweg

@@ -163,7 +163,7 @@ fs::path FigureWriter::profiles(double time, const std::vector<ProfileSet>& sets
       fmt::format(
           "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
           "set xlabel 'x  [m]' offset 0,0.4\nset ylabel 'z  [mm]' offset 1,0\n"
-          "set key outside top right horizontal maxrows 1 samplen 2.2 font ',11.5' textcolor rgb '#333333'\n"
+          "set key outside top right horizontal maxrows 1 samplen 2.2 width -4 font ',11.5' textcolor rgb '#333333'\n"
           "set label 1 't = {:g} s' at graph 0.985,0.88 right font ',16' front\n"
           "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n",
           frame.x_from, frame.x_to, 1e3 * frame.z_from, 1e3 * frame.z_to, time, profile_area.left, profile_area.right,

@@ -37,9 +37,10 @@ RunFolder existing_run(const fs::path& folder) {
   return run;
 }
 
-// "OpenFOAM", with its cell size where the model says it, so that two meshes can be told apart.
+// "OpenFOAM", with its model and cell size where it says them, so that two of them can be told apart.
 MeshModel mesh_model(const fs::path& folder, const std::string& otherwise) {
   MeshModel mesh{"OpenFOAM", read_quantities(folder / "summary.csv")};
+  if (const std::optional<std::string> model = text_of(mesh.summary, "mesh_model")) mesh.label += " " + *model;
   if (const std::optional<double> cell = number_of(mesh.summary, "cell_size")) {
     mesh.label += fmt::format(" {:g} mm", 1e3 * *cell);
   } else if (!otherwise.empty()) {
@@ -57,7 +58,7 @@ void add_mesh_models(const RunFolder& run, ReportInput& input) {
     for (const fs::path& path : inside) folders.emplace_back(path, path.filename().string());
   }
   for (const auto& [folder, name] : folders) {
-    if (!holds_profiles(folder / "profiles")) continue;
+    if (!holds_profiles(folder / "profiles") || is_coarser_mesh(folder)) continue;  // report_methods.cpp shows those
     MeshModel mesh = mesh_model(folder, name);
     const bool known = std::any_of(input.sets.begin(), input.sets.end(),
                                    [&](const ProfileSet& set) { return set.label == mesh.label; });
@@ -205,6 +206,8 @@ Exit postprocess(const PostprocessOptions& options) {
     input.history = read_history(run.history());
     input.timing = read_timing(run.timing());
     input.summary = read_quantities(run.summary());
+    input.methods = read_methods(run);
+    write_costs(run.report() / "cost.csv", input.methods);
     for (const auto& file : {run.history(), run.timing(), run.summary()}) {
       if (!fs::exists(file)) input.warnings.push_back(file.string() + ": is missing; the report leaves its part out");
     }

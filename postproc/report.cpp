@@ -82,6 +82,9 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   const ParticleTable table =
       write_particle_table(input.run.report() / "data" / "particles.csv",
                            read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
+  for (fs::path& script : report_sections::method_scripts(input.methods, input.sets.front(), frame, input.run)) {
+    scripts.push_back(std::move(script));
+  }
   const double spacing = input.extraction.info.spacing;
   scripts.push_back(writer.particles(table, frame, spacing));
   if (fs::exists(input.run.particles())) {
@@ -122,7 +125,7 @@ bool write_report(ReportInput& input) {
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
          << part::space_time(input, pictures) << part::space_view(space) << part::particles(input, pictures)
-         << part::run_numbers(input) << part::model(input);
+         << part::methods(input, pictures) << part::run_numbers(input) << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
     page << part::provenance(input) << part::hover(input) << "</body>\n</html>\n";
   });

@@ -8,6 +8,7 @@
 #include "common/run_folder.hpp"
 #include "postproc/comparison.hpp"
 #include "postproc/extraction_run.hpp"
+#include "postproc/method_cost.hpp"
 #include "postproc/run_records.hpp"
 
 namespace thalweg {
@@ -41,6 +42,7 @@ struct ReportInput {
   std::vector<Timing> timing;
   std::vector<Quantity> summary;
   std::vector<MeshModel> meshes;
+  std::vector<Method> methods;
   std::vector<std::string> compare_arguments;
   std::vector<std::string> warnings;
   BedHistory bed_history;

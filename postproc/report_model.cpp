@@ -110,7 +110,7 @@ std::string run_numbers(const ReportInput& input) {
   }
   text += mass_sentence(input.history) + "</div>\n</div>\n";
   text += "<h3>The mesh model</h3>\n";
-  text += input.meshes.empty() ? "<p>None has been run beside it (there is no foam/summary.csv).</p>\n"
+  text += input.meshes.empty() ? "<p>None has been run beside it (there is no folder of one in foam/).</p>\n"
                                : mesh_table(input.meshes);
   return text;
 }

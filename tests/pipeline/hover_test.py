@@ -6,7 +6,7 @@ import sys
 import unittest
 
 import coarse_louvain as case
-from report_numbers_test import SPH, interpolate
+from report_numbers_test import SPH, folder_of, interpolate, mesh_models
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "postproc"))
 import browser
@@ -27,10 +27,9 @@ class Hover(unittest.TestCase):
         x = float(re.search(r"x = (-?[0-9.]+) m", shown.group(1)).group(1))
         self.assertTrue(-1 < x < 1.5)
         rows = re.findall(r"<tr><td[^>]*>([^<]+)</td><td>([^<]+)</td><td[^>]*>([^<]+)</td>", shown.group(1))
-        self.assertEqual({source for _, source, _ in rows}, {SPH, f"OpenFOAM {1e3 * case.CELL:g} mm"})
+        self.assertEqual({source for _, source, _ in rows}, {SPH, *mesh_models()})
         for curve, source, value in rows:
-            folder = source.lower().replace(" ", "_")
-            profile = case.table(run / "report" / "data" / folder / f"t{TIME:.3f}.csv")
+            profile = case.table(folder_of(source) / f"t{TIME:.3f}.csv")
             places, heights = ([row[name] for row in profile] for name in ("x [m]", curve.replace(" ", "_") + " [m]"))
             # x is shown to half a millimetre, over which a curve of 10 mm columns may rise; heights to a tenth.
             near = [1e3 * z for z in (interpolate(places, heights, x + step) for step in (-6e-4, 0, 6e-4)) if z is not None]

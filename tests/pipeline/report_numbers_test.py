@@ -101,6 +101,23 @@ def errors_again(reference, compared, curve):
             max(differences, key=abs))
 
 
+def mesh_models():
+    """{label: its summary} of every mesh model whose finest mesh the report shows."""
+    found = {}
+    for file in [run / "foam" / "summary.csv", *sorted(run.glob("foam/*/summary.csv"))]:
+        if not file.exists() or re.search(r"-\d+x$", file.parent.name):
+            continue
+        summary = quantities(file)
+        words = ["OpenFOAM", summary.get("mesh_model"), f"{1e3 * summary['cell_size']:g} mm"]
+        found[" ".join(word for word in words if word)] = summary
+    return found
+
+
+def folder_of(label):
+    """Where report/data has the curves of a source."""
+    return report / "data" / re.sub("[^a-z0-9]+", "_", label.lower())
+
+
 class Numbers(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -108,13 +125,14 @@ class Numbers(unittest.TestCase):
         cls.page.feed((report / "index.html").read_text())
         cls.errors = [row for row in case.table(report / "errors.csv") if not row.get("line")]
         cls.summary = quantities(run / "summary.csv")
-        cls.mesh = quantities(run / "foam" / "summary.csv")
-        cls.mesh_label = f"OpenFOAM {1e3 * case.CELL:g} mm"
+        cls.meshes = mesh_models()
 
     def test_every_table_is_known(self):
         checked = {"Which is which, how far apart, and what it cost", "Root mean square difference [mm]", "In full",
                    "Front, deepest scour and highest deposition", "This run", "Where the time went",
                    "What limited the time step", "The mesh model"}
+        if (report / "cost.csv").exists():
+            checked.add("Speed against error")
         of_the_case = {"What is on, what is off", "Constants", "Sources"}  # case.resolved.toml and texts
         self.assertEqual({name for name, _ in self.page.tables} - of_the_case, checked)
 
@@ -141,47 +159,56 @@ class Numbers(unittest.TestCase):
 
     def test_lead(self):
         self.assertIn(f"scoured by up to {1e3 * self.scour():.1f} mm", self.page.lead)
-        bed = [1e3 * row["rmse [m]"] for row in self.errors if row["curve"] == "bed"]
-        self.assertIn(f"bed {min(bed):.1f}–{max(bed):.1f} mm", self.page.lead)
+        for label in self.meshes:
+            bed = [1e3 * row["rmse [m]"] for row in self.errors_of(SPH, label) if row["curve"] == "bed"]
+            self.assertRegex(self.page.lead, f"from {label}: [^;]*bed {min(bed):.1f}–{max(bed):.1f} mm")
+
+    def errors_of(self, compared, reference):
+        return [row for row in self.errors if (row["compared"], row["reference"]) == (compared, reference)]
 
     def test_errors_follow_from_the_curves_beside_the_page(self):
-        folders = {SPH: "thalweg_sph", self.mesh_label: self.mesh_label.lower().replace(" ", "_")}
-        self.assertEqual(len(self.errors), 2 * len(case.COMPARED), "free surface and bed at each time")
+        for label in self.meshes:
+            self.assertGreaterEqual(len(self.errors_of(SPH, label)), 2 * len(case.COMPARED),
+                                    "free surface and bed at each time")
         for row in self.errors:
             name = f"t{row['time [s]']:.3f}.csv"
-            reference, compared = (case.table(report / "data" / folders[row[role]] / name)
-                                   for role in ("reference", "compared"))
+            reference, compared = (case.table(folder_of(row[role]) / name) for role in ("reference", "compared"))
             again = errors_again(reference, compared, row["curve"])
             for column, value in zip(("rmse [m]", "bias [m]", "largest_error [m]"), again):
                 self.assertAlmostEqual(row[column], value, delta=1e-7, msg=f"{column} of {row}")
 
-    def error(self, curve, time):
-        return next(row for row in self.errors if row["curve"] == curve.replace(" ", "_") and row["time [s]"] == time)
+    def error(self, pair, curve, time):
+        return next(row for row in self.errors_of(*pair)
+                    if row["curve"] == curve.replace(" ", "_") and row["time [s]"] == time)
 
     def test_table_of_root_mean_squares(self):
         heads, *rows = self.page.table("Root mean square difference [mm]")
         times = [float(head.split()[2]) for head in heads[3:]]
         self.assertEqual(times, sorted(case.COMPARED))
         scatter = {(row["curve"], row["time [s]"]): row["rms [m]"] for row in case.table(case.CASE / "repeatability.csv")}
+        pair = None
         for row in rows:
+            pair = (row[0], row[1]) if row[0] else pair
             for time, cell in zip(times, row[3:]):
                 if row[0].startswith("scatter"):
                     known = scatter.get((row[2].replace(" ", "_"), time))
                     self.assertTrue(cell == "–" if known is None else printed_as(cell, 1e3 * known, 1), row)
                 else:
-                    self.assertTrue(printed_as(cell.rstrip("*"), 1e3 * self.error(row[2], time)["rmse [m]"], 1), row)
+                    self.assertTrue(printed_as(cell.rstrip("*"), 1e3 * self.error(pair, row[2], time)["rmse [m]"], 1), row)
 
     def test_table_in_full(self):
         heads, *rows = self.page.table("In full")
-        rows = [row for row in rows if len(row) == len(heads)]
-        self.assertEqual(len(rows), len(self.errors))
+        self.assertEqual(len([row for row in rows if len(row) == len(heads)]), len(self.errors))
         columns = {"RMSE [mm]": ("rmse [m]", 1e3, 1), "of range": ("normalised_rmse [-]", 100, 1),
                    "bias [mm]": ("bias [m]", 1e3, 1), "largest [mm]": ("largest_error [m]", 1e3, 1),
                    "at x [m]": ("largest_error_at [m]", 1, 3), "skill": ("brier_skill [-]", 1, 2),
                    "points": ("points [-]", 1, 0)}
         for row in rows:
+            if len(row) == 1:
+                pair = row[0].split(" against ")
+                continue
             cells = dict(zip(heads, row))
-            error = self.error(cells["curve"], float(cells["t [s]"]))
+            error = self.error(pair, cells["curve"], float(cells["t [s]"]))
             for head, (column, factor, decimals) in columns.items():
                 cell, value = cells[head].removesuffix(" %"), error[column]
                 self.assertTrue(cell == "–" if value is None else printed_as(cell, factor * value, decimals), (row, head))
@@ -200,27 +227,50 @@ class Numbers(unittest.TestCase):
         heads, *rows = self.page.table("Which is which, how far apart, and what it cost")
         by_name = {row[1]: dict(zip(heads, row)) for row in rows}
         self.assertEqual(by_name[SPH]["method"], "particles (SPH)")
-        self.assertEqual(by_name[self.mesh_label]["method"], "mesh (finite volumes)")
         self.assertEqual(by_name["no measurement"]["method"], "measured", "an empty slot that is seen")
-        for name, summary, size in ((SPH, self.summary, "fluid_particles"), (self.mesh_label, self.mesh, "cells")):
+        for label in self.meshes:
+            self.assertEqual(by_name[label]["method"], "mesh (finite volumes)")
+        for name, summary in [(SPH, self.summary), *self.meshes.items()]:
+            size = "fluid_particles" if name == SPH else "cells"
             row = by_name[name]
             self.assertEqual(float(row["size"].split()[0]), summary[size])
             self.assertEqual(float(row["steps"]), summary["steps"])
             for head, key in (("wall clock", "wall_seconds"), ("CPU", "cpu_seconds")):
                 shown, unit = row[head].split()
                 self.assertTrue(printed_as(shown, summary[key] / {"s": 1, "min": 60}[unit], 1), (name, head))
-        for curve in ("free surface", "bed"):
-            rms = [1e3 * row["rmse [m]"] for row in self.errors if row["curve"] == curve.replace(" ", "_")]
-            low, high = f"{min(rms):.1f}", f"{max(rms):.1f}"
-            self.assertEqual(by_name[self.mesh_label][f"{curve} off by [mm]"], low if low == high else f"{low}–{high}")
+        for label in self.meshes:
+            for curve in ("free surface", "bed"):
+                rms = [1e3 * row["rmse [m]"] for row in self.errors_of(SPH, label)
+                       if row["curve"] == curve.replace(" ", "_")]
+                low, high = f"{min(rms):.1f}", f"{max(rms):.1f}"
+                self.assertEqual(by_name[label][f"{curve} off by [mm]"], low if low == high else f"{low}–{high}")
 
     def test_summaries(self):
-        for heading, summary in (("This run", self.summary), ("The mesh model", self.mesh)):
-            shown = {row[0]: row[1] for row in self.page.table(heading)}
-            for name, value in summary.items():
-                if isinstance(value, float) and 1e-3 <= abs(value):
-                    self.assertAlmostEqual(float(shown[name.replace("_", " ")]), value, delta=max(1e-4 * abs(value), 0.5 * (abs(value) >= 1e4)),
-                                           msg=name)
+        shown = {row[0]: row[1] for row in self.page.table("This run")}
+        self.check_summary(shown, self.summary)
+        heads, *rows = self.page.table("The mesh model")
+        for label, summary in self.meshes.items():
+            self.check_summary({row[0]: row[heads.index(label)] for row in rows}, summary)
+
+    def check_summary(self, shown, summary):
+        """Five digits, or whole numbers from ten thousand on; exponents are typeset and left to the eye."""
+        for name, value in summary.items():
+            if isinstance(value, float) and 1e-3 <= abs(value) < 1e15:
+                self.assertAlmostEqual(float(shown[name.replace("_", " ")]), value,
+                                       delta=max(1e-4 * abs(value), 0.5 * (abs(value) >= 1e4)), msg=name)
+
+    def test_speed_against_error(self):
+        if not (report / "cost.csv").exists():
+            self.skipTest("one resolution of each method")
+        costs = case.table(report / "cost.csv")
+        _, *rows = self.page.table("Speed against error")
+        for shown, row in zip(rows, costs, strict=True):
+            for cell, column, factor, decimals in zip(
+                    shown[1:], ("elements [-]", "steps [-]", "cpu [s]", "element_steps_per_second [1/s]",
+                                "error_free_surface [m]", "error_bed [m]"), (1, 1, 1, 1, 1e3, 1e3), (0, 0, 1, 0, 1, 1)):
+                value = row[column]
+                self.assertTrue(cell == "finest" if value is None else printed_as(cell, factor * value, decimals),
+                                (shown, column))
 
     def test_where_the_time_went(self):
         heads, *rows = self.page.table("Where the time went")
