@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "common/extraction/volume_fraction.hpp"
 #include "solver/physics/kernel.hpp"
@@ -41,7 +42,7 @@ class KernelWeight {
 template <class T>
 class KernelMean {
  public:
-  explicit KernelMean(const T& zero) : sum_(zero) {}
+  explicit KernelMean(T zero) : sum_(std::move(zero)) {}
   void add(double weight, const T& value) {
     sum_ += weight * value;
     weight_ += weight;
