@@ -8,6 +8,7 @@
 #include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/profile.hpp"
+#include "foam_reference/all_models.hpp"
 #include "foam_reference/reference_run.hpp"
 #include "tests/foam_reference/small_scene.hpp"
 #include "tests/foam_reference/temporary_folder.hpp"
@@ -192,6 +193,20 @@ TEST_F(OpenFoamTest, ComputesInThreeDimensions) {
   EXPECT_NEAR(summary("sediment_volume_start"), 0.4 * 0.1 * 0.05, 1e-9);
   const Profile profile = read_profile(folder_.path() / "profiles" / profile_file_name(0.02));
   EXPECT_THAT(profile.bed, testing::Each(testing::DoubleNear(0.05, 2.5e-3)));
+}
+
+// Without the library the stock model takes the place of both, once, and a line says so.
+TEST_F(OpenFoamTest, RunsTheStockModelWithoutTheLibrary) {
+  setenv("THALWEG_FOAM_LIBRARY", folder_.path().c_str(), 1);  // which holds none
+  testing::internal::CaptureStderr();
+  run_models(at_start(still_tank()), RunFolder{folder_.path()}, {});
+  unsetenv("THALWEG_FOAM_LIBRARY");
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, testing::HasSubstr("without libthalwegFoam there is the stock model only"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "foam/stock/summary.csv"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "foam/stock-2x/summary.csv"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "foam/same-material"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "foam/eroding-bed"));
 }
 
 // A closed box of triangles, in millimetres.
