@@ -41,9 +41,9 @@ function(thalweg_program name)
 endfunction()
 
 # thalweg_test(NAME LABEL label SOURCES … [LINK …]): a GoogleTest program, every test of it registered with CTest under
-# the label unit, backend, pipeline, stability or validation.
+# the label unit, backend, pipeline, stability or validation. FIXTURE names what another test has to set up before.
 function(thalweg_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;FIXTURE" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -52,5 +52,5 @@ function(thalweg_test name)
   thalweg_settings(${name})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})
+    PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT} FIXTURES_REQUIRED "${ARG_FIXTURE}")
 endfunction()

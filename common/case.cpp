@@ -101,4 +101,10 @@ std::vector<std::string> motion_needs_keys(const Motion& motion, int dimension) 
   return {};
 }
 
+bool gauge_uses_key(const Gauge& gauge, std::string_view key) {
+  if (key == "at") return gauge.kind != GaugeKind::flux;
+  if (key == "from" || key == "to") return gauge.kind == GaugeKind::flux;
+  return true;
+}
+
 }  // namespace thalweg

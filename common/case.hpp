@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "common/particles.hpp"
+#include "solver/physics/bed_load.hpp"
 #include "solver/physics/bed_shear.hpp"
 #include "solver/physics/drucker_prager.hpp"
 #include "solver/physics/effective_pressure.hpp"
 #include "solver/physics/mohr_coulomb.hpp"
 #include "solver/physics/mu_of_i.hpp"
+#include "solver/physics/pick_up.hpp"
 #include "solver/physics/sediment_parameters.hpp"
 #include "solver/physics/viscosity_treatment.hpp"
 
@@ -466,6 +468,7 @@ struct Output {
   double interval = 0;          // [s]
   std::vector<double> times;    // [s]
   double history_interval = 0;  // [s]
+  double gauge_interval = 0;    // [s]
 
   template <class V>
   void describe(V& v) {
@@ -474,6 +477,51 @@ struct Output {
     v.quantities("times", times, "s", 0, 1e9, "Further times at which a snapshot is written, hit exactly.");
     v.quantity("history_interval", history_interval, "s", 0, 1e9,
                "Time between rows of history.csv; 0: a hundredth of the run.");
+    v.quantity("gauge_interval", gauge_interval, "s", 0, 1e9,
+               "Time between rows of gauges.csv; 0: a thousandth of the run.");
+  }
+};
+
+enum class GaugeKind { water_level, pressure, velocity, flux };
+
+inline constexpr std::array<Choice<GaugeKind>, 4> choices(GaugeKind) {
+  return {{{GaugeKind::water_level, "water level", "height of the free surface, and of the bed, over `at`"},
+           {GaugeKind::pressure, "pressure", "of the fluid at `at`"},
+           {GaugeKind::velocity, "velocity", "of the fluid at `at`"},
+           {GaugeKind::flux, "flux",
+            "volumes of water and of sediment, pores included, that cross the rectangle between `from` and `to` in a "
+            "second, counted along the axis"}}};
+}
+
+/// One [[gauge]]: what is measured during the run, without snapshots.
+struct Gauge {
+  std::string name;
+  GaugeKind kind = GaugeKind::water_level;
+  Vec3 at = Vec3::Zero();    // [m]
+  Vec3 from = Vec3::Zero();  // [m]
+  Vec3 to = Vec3::Zero();    // [m]
+
+  template <class V>
+  void describe(V& v) {
+    v.text("name", name, "Name of the gauge, unique in the case; heads its columns in gauges.csv.");
+    v.choice("kind", kind, "What it measures.");
+    v.point("at", at, "m", "water level, pressure, velocity: where; of a water level the height means nothing.");
+    v.point("from", from, "m", "flux: one corner of a rectangle across an axis.");
+    v.point("to", to, "m", "flux: the opposite corner, equal to `from` along that axis.");
+  }
+};
+
+/// One [[line]]: where profiles are taken beside the one along x.
+struct ProfileLine {
+  std::string name;
+  std::vector<double> from;  // [m] x, y
+  std::vector<double> to;    // [m] x, y
+
+  template <class V>
+  void describe(V& v) {
+    v.text("name", name, "Name of the line, unique in the case; names its folder in profiles/.");
+    v.quantities("from", from, "m", -1e9, 1e9, "Its start in plan: x, y.");
+    v.quantities("to", to, "m", -1e9, 1e9, "Its end in plan: x, y.");
   }
 };
 
@@ -482,6 +530,7 @@ struct Compare {
   std::vector<std::string> references;
   double from = 0;  // [m]
   double to = 0;    // [m]
+  int runs = 1;
 
   template <class V>
   void describe(V& v) {
@@ -490,18 +539,54 @@ struct Compare {
     v.texts("references", references, "Folders with measured profiles (t0.250.csv …), relative to the case.");
     v.quantity("from", from, "m", -1e9, 1e9, "Start of the range compared; with `to` equal: the whole domain.");
     v.quantity("to", to, "m", -1e9, 1e9, "End of the range compared.");
+    v.integer("runs", runs, 1, 4,
+              "Particle runs that `thalweg run` makes, each with twice the spacing of the one before: what the spacing "
+              "decides, and what it costs.");
   }
 };
 
+/// What foam.models and `thalweg foam --model` may name; foam_reference/foam_model.hpp says what they are.
+inline constexpr std::array<const char*, 3> mesh_model_names{"same-material", "eroding-bed", "stock"};
+
+enum class FoamTurbulence { laminar, smagorinsky };
+
+inline constexpr std::array<Choice<FoamTurbulence>, 2> choices(FoamTurbulence) {
+  return {{{FoamTurbulence::laminar, "laminar", "none, as in the particle model"},
+           {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"}}};
+}
+inline constexpr std::array<Choice<BedLoad>, 2> choices(BedLoad) {
+  return {{{BedLoad::meyer_peter_mueller, "meyer-peter-mueller", "8 (theta - theta_cr)^1.5"},
+           {BedLoad::van_rijn, "van-rijn", "0.053 (theta/theta_cr - 1)^2.1 / d*^0.3, for sands"}}};
+}
+inline constexpr std::array<Choice<PickUp>, 2> choices(PickUp) {
+  return {{{PickUp::mastbergen, "mastbergen", "the lift velocity of Mastbergen & van den Berg"},
+           {PickUp::van_rijn, "van-rijn", "van Rijn's pick-up function, for sands"}}};
+}
+
 struct Foam {
-  double cell = 0;        // [m]
+  std::vector<std::string> models;  // empty: all that fit the scene
+  double cell = 0;                  // [m]
+  int meshes = 2;
   double open_above = 0;  // [m]
+  FoamTurbulence turbulence = FoamTurbulence::laminar;
+  BedLoad bed_load = BedLoad::meyer_peter_mueller;
+  PickUp pick_up = PickUp::mastbergen;
 
   template <class V>
   void describe(V& v) {
+    v.texts(
+        "models", models,
+        "Mesh models to run: \"same-material\", \"eroding-bed\", \"stock\" (foam_reference/README.md). Default: the "
+        "first two where the scene has sediment.");
     v.quantity("cell", cell, "m", 0, 100, "Cell size of the mesh model; 0: twice the particle spacing.");
+    v.integer("meshes", meshes, 1, 4,
+              "Meshes each model runs on, each twice as coarse as the one before; their difference is shown as the "
+              "mesh model's uncertainty.");
     v.quantity("open_above", open_above, "m", 0, 1e6,
                "Height of air above the fluid's highest point in the mesh model; 0: half the fluid's height.");
+    v.choice("turbulence", turbulence, "Turbulence of the mesh model.");
+    v.choice("bed_load", bed_load, "What carries grains along the bed in \"eroding-bed\".");
+    v.choice("pick_up", pick_up, "What brings grains into suspension in \"eroding-bed\".");
   }
 };
 
@@ -521,6 +606,8 @@ struct Case {
   Model model;
   Numerics numerics;
   Output output;
+  std::vector<Gauge> gauges;
+  std::vector<ProfileLine> lines;
   Compare compare;
   Foam foam;
 

@@ -32,7 +32,10 @@ class CaseCheck {
     seepage();
     numerics();
     times();
+    for (const Gauge& each : case_.gauges) gauge(each);
+    for (const ProfileLine& each : case_.lines) line(each);
     references();
+    mesh_models();
   }
 
  private:
@@ -42,14 +45,22 @@ class CaseCheck {
 
   [[nodiscard]] bool uses(int axis) const { return case_.info.dimension == 3 || axis != 1; }
 
-  void case_name() const {
-    const std::string& name = case_.info.name;
+  void case_name() const { names_files("case.name", case_.info.name); }
+
+  void names_files(const std::string& key, const std::string& name) const {
     const bool usable = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
       return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
     });
     if (!usable || name.front() == '.') {
-      reject("case.name", fmt::format("case.name = \"{}\" cannot name files", name),
-             "use letters, digits, \"-\" and \"_\"");
+      reject(key, fmt::format("{} = \"{}\" cannot name files", key, name), "use letters, digits, \"-\" and \"_\"");
+    }
+  }
+
+  void mesh_models() const {
+    for (const std::string& model : case_.foam.models) {
+      if (std::ranges::find(mesh_model_names, model) != mesh_model_names.end()) continue;
+      reject("foam.models", fmt::format("foam.models holds \"{}\"", model),
+             fmt::format("the mesh models are {}", fmt::join(mesh_model_names, ", ")));
     }
   }
 
@@ -424,6 +435,48 @@ class CaseCheck {
     if (case_.compare.from > case_.compare.to) {
       reject("compare.to", "compare.to lies before compare.from", "exchange them");
     }
+  }
+
+  void gauge(const Gauge& g) const {
+    const std::string path = "gauge." + g.name;
+    names_files(path + ".name", g.name);
+    for (const char* key : {"at", "from", "to"}) {
+      const std::string full = fmt::format("{}.{}", path, key);
+      const bool used = gauge_uses_key(g, key);
+      if (used == origins_.has(full)) continue;
+      if (used) reject(path, full + " is missing", "give the place of the gauge");
+      reject(full, full + " means nothing for a gauge of this kind", "remove it");
+    }
+    if (g.kind != GaugeKind::flux) return inside_domain(path + ".at", g.at);
+    int equal = 0;
+    for (int axis = 0; axis < 3; ++axis) equal += uses(axis) && g.from[axis] == g.to[axis] ? 1 : 0;
+    if (equal != 1) {
+      reject(path + ".to", fmt::format("{0}.from and {0}.to are equal along {1} axes", path, equal),
+             "give two corners of a rectangle across one axis");
+    }
+  }
+
+  void inside_domain(const std::string& key, const Vec3& at) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (uses(axis) && !(at[axis] >= case_.domain.from[axis] && at[axis] <= case_.domain.to[axis])) {
+        reject(key, fmt::format("{} lies outside the domain in {}", key, axis_names.at(axis)), "move it inside");
+      }
+    }
+  }
+
+  void line(const ProfileLine& l) const {
+    const std::string path = "line." + l.name;
+    names_files(path + ".name", l.name);
+    if (l.name == "all") reject(path + ".name", path + ".name is taken by the profiles of all snapshots", "rename it");
+    if (case_.info.dimension == 2) {
+      reject(path, "a case with dimension = 2 has one profile, along x", "remove [[line]]");
+    }
+    for (const auto& [key, place] : {std::pair{".from", &l.from}, std::pair{".to", &l.to}}) {
+      if (place->size() != 2) {
+        reject(path + key, fmt::format("{}{} has {} entries", path, key, place->size()), "give two, x and y");
+      }
+    }
+    if (l.from == l.to) reject(path + ".to", fmt::format("{0}.to equals {0}.from", path), "give the line some length");
   }
 
   // A run's folder may be computed on another machine than the one that holds the references.

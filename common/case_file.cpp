@@ -49,7 +49,7 @@ const toml::table& as_table(const toml::node& node, const std::string& name, con
   return *node.as_table();
 }
 
-// `list` is "shape" or "motion".
+// `list` is "shape", "gauge" …
 void check_list(const toml::node& node, const std::string& list, const std::string& file) {
   if (!node.is_array() || !node.as_array()->is_homogeneous(toml::node_type::table)) {
     reject_case(where_is(node, file), fmt::format("{} is no list of tables", list),
@@ -88,13 +88,13 @@ void check_list(const toml::node& node, const std::string& list, const std::stri
 }
 
 void check_names(const toml::table& root, const std::string& file) {
-  std::vector<std::string> known{"shape", "motion", "materials"};
+  std::vector<std::string> known{"shape", "motion", "gauge", "line", "materials"};
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name.find_first_of("[.") == std::string::npos) known.push_back(table.name);
   }
   for (const auto& [name, node] : root) {
     const std::string table(name.str());
-    if (table == "shape" || table == "motion") {
+    if (is_list_of_tables(table)) {
       check_list(node, table, file);
     } else if (table == "materials") {
       for (const auto& [material, values] : as_table(node, table, file)) {
@@ -129,7 +129,8 @@ class CaseReader {
     if (root_["model"]["implementation"].value<std::string>() == "paper") take_printed_defaults();
     for_each_table(
         result_, [&](const TableHeading& heading, auto& table) { read_table(heading.name, table); },
-        [&] { read_list("shape", result_.shapes), read_list("motion", result_.motions); }, [&] { read_sediments(); });
+        [&] { read_list("shape", result_.shapes), read_list("motion", result_.motions); }, [&] { read_sediments(); },
+        [&] { read_list("gauge", result_.gauges), read_list("line", result_.lines); });
     name_materials();
     check_case(result_, origins_);
     for (Motion& motion : result_.motions) take_table(motion);

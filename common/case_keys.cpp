@@ -118,6 +118,9 @@ std::vector<TableDeclaration> collect_all() {
   Motion motion;
   motion.direction = motion.center = motion.axis = Vec3::Constant(required);
   motion.amplitude = motion.period = required;
+  Gauge gauge;
+  gauge.at = gauge.from = gauge.to = Vec3::Constant(required);
+  ProfileLine line;
   SedimentParameters sediment;
   for_each_table(
       defaults, [&](const TableHeading& heading, auto& table) { tables.push_back(collect(heading, table)); },
@@ -125,7 +128,11 @@ std::vector<TableDeclaration> collect_all() {
         tables.push_back(collect(shape_heading, shape));
         tables.push_back(collect(motion_heading, motion));
       },
-      [&] { tables.push_back(collect(sediment_heading, sediment)); });
+      [&] { tables.push_back(collect(sediment_heading, sediment)); },
+      [&] {
+        tables.push_back(collect(gauge_heading, gauge));
+        tables.push_back(collect(line_heading, line));
+      });
   return tables;
 }
 
@@ -160,6 +167,8 @@ const TableDeclaration* find_table(std::string_view name) {
   std::string_view wanted = name;
   if (wanted == "shape") wanted = shape_heading.name;
   if (wanted == "motion") wanted = motion_heading.name;
+  if (wanted == "gauge") wanted = gauge_heading.name;
+  if (wanted == "line") wanted = line_heading.name;
   if (wanted.starts_with("materials.") && wanted != water_heading.name) wanted = sediment_heading.name;
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name == wanted) return &table;

@@ -209,8 +209,8 @@ A case is a TOML file. Quantities are texts with a unit, read by UDUNITS: `spaci
 in 2-D, `["x", "y", "z"]` in 3-D. A missing or wrong unit, an unknown key or a value out of range is an error with file
 and line.
 
-On the command line `--set table.key=value` overrides a key, `--set shape.NAME.key=value` one of a shape,
-`--set motion.NAME.key=value` one of a motion and `--set materials.NAME.key=value` one of a material.
+On the command line `--set table.key=value` overrides a key, `--set shape.NAME.key=value` one of a shape (likewise
+`motion.NAME.key`, `gauge.NAME.key`, `line.NAME.key`) and `--set materials.NAME.key=value` one of a material.
 
 Which geometry a shape needs follows from its kind: a box `from` and `to`; a cylinder `from`, `to` and `radius` (in 2-D
 `center` and `radius`); a cone `from`, `to` and `radius`; a sphere `center` and `radius`; a prism `polygon` and, in 3-D,
@@ -239,8 +239,10 @@ void write_key_schema(std::ostream& json) {
   for (const TableDeclaration& table : case_declarations()) {
     if (table.name == shape_heading.name) {
       properties["shape"] = {{"type", "array"}, {"items", table_schema(table)}};
-    } else if (table.name == motion_heading.name) {
-      properties["motion"] = {{"type", "array"}, {"items", table_schema(table)}};
+    } else if (table.name == motion_heading.name || table.name == gauge_heading.name ||
+               table.name == line_heading.name) {
+      const std::string list = table.name.substr(1, table.name.size() - 2);
+      properties[list] = {{"type", "array"}, {"items", table_schema(table)}};
     } else if (table.name == water_heading.name) {
       materials["properties"]["water"] = table_schema(table);
     } else if (table.name == sediment_heading.name) {

@@ -37,7 +37,7 @@ toml::table parse_override_value(const std::string& value, const std::string& so
   return toml::parse("value = " + quoted.str(), source);
 }
 
-// `list` is "shape" or "motion".
+// `list` is "shape", "gauge" …
 toml::table& entry_to_override(toml::table& root, const std::string& list, const std::string& name,
                                const std::string& source) {
   std::vector<std::string> names;
@@ -69,7 +69,7 @@ toml::table& material_to_override(toml::table& root, const std::string& name, co
 }
 
 toml::table& table_to_override(toml::table& root, const std::vector<std::string>& key, const std::string& source) {
-  const bool is_list = !key.empty() && (key[0] == "shape" || key[0] == "motion");
+  const bool is_list = !key.empty() && is_list_of_tables(key[0]);
   if (key.size() == 3 && is_list) return entry_to_override(root, key[0], key[1], source);
   if (key.size() == 3 && key[0] == "materials") return material_to_override(root, key[1], source);
   if (key.size() != 2 || is_list || key[0] == "materials") {
@@ -97,6 +97,10 @@ std::string where_is(const toml::node& node, const std::string& file) {
 }
 
 std::string name_of_entry(const toml::table& entry) { return entry["name"].value_or(std::string()); }
+
+bool is_list_of_tables(std::string_view name) {
+  return name == "shape" || name == "motion" || name == "gauge" || name == "line";
+}
 
 toml::table parse_case_toml(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

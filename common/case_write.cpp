@@ -24,7 +24,7 @@ std::string toml_text(const std::string& text) {
 // The shortest digits that read back as the same number.
 std::string quantity_text(double value, const char* unit) { return fmt::format("\"{} {}\"", value, unit); }
 
-// Visits a table and prints its keys, of a shape or a motion only those that `uses` it.
+// Visits a table and prints its keys, of an entry of a list only those that `uses` it.
 class TableWriter {
  public:
   using UsesKey = std::function<bool(const char*)>;
@@ -108,9 +108,21 @@ void write_values(std::ostream& to, Case values) {
   const auto write_sediments = [&] {
     for (auto& [name, sediment] : values.sediments) write_table("materials." + toml_text(name), sediment);
   };
+  const auto write_gauges = [&] {
+    for (Gauge& gauge : values.gauges) {
+      fmt::print(to, "\n[[gauge]]\n");
+      TableWriter writer(to, dimension, [&](const char* key) { return gauge_uses_key(gauge, key); });
+      gauge.describe(writer);
+    }
+    for (ProfileLine& line : values.lines) {
+      fmt::print(to, "\n[[line]]\n");
+      TableWriter writer(to, dimension);
+      line.describe(writer);
+    }
+  };
   for_each_table(
       values, [&](const TableHeading& heading, auto& table) { write_table(heading.name, table); }, write_shapes,
-      write_sediments);
+      write_sediments, write_gauges);
 }
 
 }  // namespace

@@ -75,7 +75,11 @@ Profile read_profile(const std::filesystem::path& file) {
   return profile;
 }
 
-std::string profile_file_name(double time) { return fmt::format("t{:.3f}.csv", time); }
+std::string profile_file_name(double time) {
+  std::string text = fmt::format("{:.6f}", time);
+  while (text.ends_with('0') && text.size() - text.find('.') > 4) text.pop_back();  // three decimals stay
+  return "t" + text + ".csv";
+}
 
 std::optional<double> time_of_profile(const std::filesystem::path& file) {
   const std::string stem = file.stem().string();

@@ -27,7 +27,7 @@ void write_profile(const std::filesystem::path& file, const Profile& profile, co
 /// ones). Throws InputError "file:line: what is wrong; what to do".
 Profile read_profile(const std::filesystem::path& file);
 
-/// "t0.250.csv" for 0.25 s.
+/// "t0.250.csv" for 0.25 s; three decimals, up to six where the time has more.
 std::string profile_file_name(double time);
 
 /// The time [s] in a profile's file name, or nothing when the name does not follow profile_file_name.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace thalweg {
 
@@ -14,14 +15,18 @@ struct RunFolder {
   [[nodiscard]] std::filesystem::path snapshots() const { return root / "snapshots"; }
   [[nodiscard]] std::filesystem::path snapshot_series() const { return root / "snapshots.pvd"; }
   [[nodiscard]] std::filesystem::path history() const { return root / "history.csv"; }
+  [[nodiscard]] std::filesystem::path gauges() const { return root / "gauges.csv"; }
   [[nodiscard]] std::filesystem::path timing() const { return root / "timing.csv"; }
   [[nodiscard]] std::filesystem::path summary() const { return root / "summary.csv"; }
   [[nodiscard]] std::filesystem::path excluded() const { return root / "excluded.csv"; }
   [[nodiscard]] std::filesystem::path checkpoint() const { return root / "checkpoint.vtp"; }
   [[nodiscard]] std::filesystem::path profiles() const { return root / "profiles"; }
+  [[nodiscard]] std::filesystem::path surfaces() const { return root / "surfaces"; }
+  [[nodiscard]] std::filesystem::path view_script() const { return root / "view.py"; }
   [[nodiscard]] std::filesystem::path report() const { return root / "report"; }
   [[nodiscard]] std::filesystem::path foam() const { return root / "foam"; }
-  [[nodiscard]] std::filesystem::path foam_profiles() const { return root / "foam" / "profiles"; }
+  /// The same run with `times` the spacing (compare.runs).
+  [[nodiscard]] RunFolder coarser(int times) const { return {root / "coarser" / (std::to_string(times) + "x")}; }
 };
 
 }  // namespace thalweg

@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/surface_files.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -16,19 +17,30 @@ std::int64_t microseconds(double time) { return std::llround(time * 1e6); }
 
 }  // namespace
 
-FoamCase make_foam_case(const Case& scene, int ranks) {
+FoamCase make_foam_case(const Case& scene, int ranks, FoamModel model, const std::filesystem::path& library) {
   FoamCase foam_case;
   foam_case.scene = scene;
+  foam_case.model = model;
+  foam_case.library = library;
   foam_case.plan = plan_mesh(scene);
   foam_case.contents = measure_contents(scene, foam_case.plan);
-  if (scene.has_sediment()) foam_case.rheology = stock_rheology(scene, foam_case.contents);
+  if (scene.has_sediment() && model == FoamModel::stock) foam_case.rheology = stock_rheology(scene, foam_case.contents);
   foam_case.ranks = ranks;
   return foam_case;
 }
 
 std::vector<std::string> phases(const FoamCase& foam_case) {
-  if (foam_case.rheology) return {"water", "sediment", "air"};
+  if (foam_case.has_sediment_phase()) return {"water", "sediment", "air"};
   return {"water", "air"};
+}
+
+std::string columns_entries(const MeshPlan& plan, const std::string& indent) {
+  const Vec3 size = plan.size();
+  const auto periodic = [&](std::size_t axis) { return plan.faces[2 * axis] == Face::periodic ? "1" : "0"; };
+  return indent + fmt::format("origin      ({} {});\n", number(plan.low.x()), number(plan.low.y())) + indent +
+         fmt::format("size        ({} {});\n", number(size.x()), number(size.y())) + indent +
+         fmt::format("count       ({} {});\n", plan.cells[0], plan.cells[1]) + indent +
+         fmt::format("periodic    ({} {});\n", periodic(0), periodic(1));
 }
 
 double write_interval(const Case& scene) {
@@ -56,8 +68,8 @@ double write_interval(const Case& scene) {
 
 CaseFiles case_files(const FoamCase& foam_case) {
   CaseFiles files;
-  for (CaseFiles part : {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case),
-                         control_files(foam_case), scripts(foam_case)}) {
+  for (CaseFiles part : {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case), bed_files(foam_case),
+                         surface_files(foam_case), control_files(foam_case), scripts(foam_case)}) {
     files.merge(part);
   }
   files["case.foam"] = "";  // ParaView opens the folder through it

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "foam_reference/foam_model.hpp"
 #include "foam_reference/mesh_plan.hpp"
 #include "foam_reference/sediment_rheology.hpp"
 
@@ -13,19 +14,26 @@ namespace thalweg::foam {
 /// All that decides a run of the mesh model.
 struct FoamCase {
   Case scene;
+  FoamModel model = FoamModel::stock;
+  std::filesystem::path library;  // folder of libthalwegFoam.so; empty where the model needs none
   MeshPlan plan;
   SceneContents contents;
-  std::optional<StockRheology> rheology;  // nothing without sediment
+  std::optional<StockRheology> rheology;  // of the stock model with sediment
   int ranks = 1;
+
+  [[nodiscard]] bool has_sediment_phase() const { return scene.has_sediment() && model != FoamModel::eroding_bed; }
+  [[nodiscard]] bool has_eroding_bed() const { return scene.has_sediment() && model == FoamModel::eroding_bed; }
+  [[nodiscard]] std::string application() const { return application_of(model); }
 };
 
 /// Text of every file of an OpenFOAM case, by its path in the case's folder.
 using CaseFiles = std::map<std::filesystem::path, std::string>;
 
 /// Checks what the mesh model can do and plans it. Throws InputError.
-FoamCase make_foam_case(const Case& scene, int ranks);
+FoamCase make_foam_case(const Case& scene, int ranks, FoamModel model = FoamModel::stock,
+                        const std::filesystem::path& library = {});
 
-/// The complete case for multiphaseInterFoam: dictionaries, initial fields, Allrun, Allclean, case.foam.
+/// The complete case: dictionaries, initial fields, Allrun, Allclean, case.foam.
 CaseFiles case_files(const FoamCase& foam_case);
 
 /// Names of the phases, heaviest first: water [sediment] air.
@@ -35,10 +43,14 @@ std::vector<std::string> phases(const FoamCase& foam_case);
 /// where that does not make it much shorter. Throws InputError when the times share none above a 500th of the run.
 double write_interval(const Case& scene);
 
+/// Entries of the dictionary from which libthalwegFoam knows the block's columns, each line after `indent`.
+std::string columns_entries(const MeshPlan& plan, const std::string& indent);
+
 /// The parts of case_files, one subject each.
 CaseFiles mesh_files(const FoamCase& foam_case);
 CaseFiles initial_fields(const FoamCase& foam_case);
 CaseFiles model_files(const FoamCase& foam_case);
+CaseFiles bed_files(const FoamCase& foam_case);  // of the eroding bed
 CaseFiles control_files(const FoamCase& foam_case);
 CaseFiles scripts(const FoamCase& foam_case);
 

@@ -73,6 +73,24 @@ ColumnSampler::Elevations ColumnSampler::measure(const Column& column, const std
   return elevations;
 }
 
+void add_bed(Profile& profile, const BedColumns& bed) {
+  const double half = profile.x.size() > 1 ? 0.5 * (profile.x[1] - profile.x[0]) : Profile::missing;
+  std::vector<Mean> packed(profile.x.size());
+  std::vector<Mean> top(profile.x.size());
+  for (std::size_t column = 0; column < bed.x.size(); ++column) {
+    const auto after = std::ranges::upper_bound(profile.x, bed.x[column] + half);
+    if (after == profile.x.begin()) continue;
+    const auto at = static_cast<std::size_t>(after - profile.x.begin()) - 1;
+    packed[at].add(bed.level[column]);
+    top[at].add(bed.level[column] + bed.suspended[column]);
+  }
+  for (std::size_t i = 0; i < profile.x.size(); ++i) {
+    profile.moving_bed.push_back(packed[i].value());
+    profile.bed.push_back(top[i].value());
+    profile.free_surface[i] = std::max(profile.free_surface[i], top[i].value());
+  }
+}
+
 SampledProfile ColumnSampler::sample(const PhaseFields& fields) const {
   std::vector<double> liquid(fields.air.size());
   std::ranges::transform(fields.air, liquid.begin(), [](double air) { return 1 - air; });

@@ -18,12 +18,22 @@ struct SampledProfile {
   double largest_bed_spread = 0;           // [m]
 };
 
+/// The eroding bed's columns of cells, in any order of y.
+struct BedColumns {
+  std::vector<double> x;          // [m]
+  std::vector<double> level;      // [m] of the packed bed
+  std::vector<double> suspended;  // [m] thickness of the grains in suspension above, packed alike
+};
+
+/// Adds the eroding bed to a profile of the same columns: moving_bed is the packed bed, bed lies above it by what is in
+/// suspension, and a dry bed is its own surface. In 3-D means over y; missing where there is no column.
+void add_bed(Profile& profile, const BedColumns& bed);
+
 /// Turns cells into elevations along x, one per column of cells:
 ///   bed = z_0 + sum alpha_sediment dz,   free surface = z_0 + sum (1 - alpha_air) dz,   z_0 the column's lowest point.
 /// The integral keeps volumes exact and sees films thinner than a cell; grains in suspension count as bed, bubbles
 /// lower the surface. Where a solid interrupts the column the integral means nothing; there it is the highest crossing
-/// of a share of 0.5. In 3-D the profile is the mean over y. `moving_bed` stays empty: the stock model knows no
-/// deposit.
+/// of a share of 0.5. In 3-D the profile is the mean over y. `moving_bed` stays empty: a phase knows no deposit.
 class ColumnSampler {
  public:
   /// `centres`: the cells' centres [m]; fewer than the plan's where solids have been taken out.

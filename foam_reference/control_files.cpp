@@ -1,6 +1,7 @@
 // system/controlDict, fvSchemes, fvSolution: times, steps, schemes, solvers.
 #include <cmath>
 
+#include "foam_reference/bed_files.hpp"
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
 
@@ -54,13 +55,13 @@ std::string volume_functions(const FoamCase& foam_case) {
     }
 )",
                     {{"fields", fields}}) +
-         outflows;
+         outflows + (foam_case.has_eroding_bed() ? eroding_bed_function(foam_case) : "");
 }
 
 std::string control(const FoamCase& foam_case) {
   const double step = largest_step(foam_case);
-  return substitute(R"(application     multiphaseInterFoam;
-
+  return substitute(R"(application     %application%;
+%libraries%
 startFrom       startTime;
 startTime       0;
 stopAt          endTime;
@@ -86,7 +87,9 @@ functions
 {
 %functions%}
 )",
-                    {{"end", number(foam_case.scene.output.end)},
+                    {{"application", foam_case.application()},
+                     {"libraries", foam_case.library.empty() ? "" : "libs            (\"libthalwegFoam.so\");\n"},
+                     {"end", number(foam_case.scene.output.end)},
                      {"first_step", number(step / 20)},
                      {"largest_step", number(step)},
                      {"interval", number(write_interval(foam_case.scene))},
@@ -114,12 +117,15 @@ std::string solution(const FoamCase& foam_case) {
   const std::string reference = plan.open(Face::open) ? ""
                                                       : "    pRefPoint       " + vector(plan.high - 0.5 * plan.size()) +
                                                             ";\n    pRefValue       0;\n";
+  // Grains go with the flux of water of a whole step, which interFoam keeps only without sub-cycles.
+  const std::string alpha = foam_case.application() == "interFoam"
+                                ? "        nAlphaCorr      2;\n        nAlphaSubCycles 1;\n"
+                                : "        nAlphaSubCycles 2;\n";
   return substitute(R"(solvers
 {
     "alpha.*"
     {
-        nAlphaSubCycles 2;
-        cAlpha          1;
+%alpha%        cAlpha          1;
     }
     "pcorr.*"
     {
@@ -154,10 +160,10 @@ PIMPLE
     momentumPredictor   yes;
     nOuterCorrectors    1;
     nCorrectors         3;
-    nNonOrthogonalCorrectors 0;
+    nNonOrthogonalCorrectors %corrections%;
 %reference%}
 )",
-                    {{"reference", reference}});
+                    {{"alpha", alpha}, {"corrections", plan.has_surfaces ? "1" : "0"}, {"reference", reference}});
 }
 
 }  // namespace

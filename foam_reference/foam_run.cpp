@@ -69,7 +69,8 @@ fs::path failed_log(const fs::path& folder) {
   return folder / "log.Allrun";
 }
 
-[[noreturn]] void report_failure(const fs::path& folder, const SolverLog& log, double end) {
+[[noreturn]] void report_failure(const fs::path& folder, const SolverLog& log, double end,
+                                 const std::string& application) {
   const fs::path failed = failed_log(folder);
   const std::string reason = fatal_message(failed);
   const std::string because = reason.empty() ? "" : " (" + reason + ")";
@@ -78,9 +79,9 @@ fs::path failed_log(const fs::path& folder) {
                                failed.string(), failed.filename().string().substr(4), because));
   }
   throw RunError(
-      fmt::format("{}: multiphaseInterFoam failed at t = {:g} of {:g} s{}; try another cell size (--cell), or "
+      fmt::format("{}: {} failed at t = {:g} of {:g} s{}; try another cell size (--cell), or "
                   "a smaller maxCo in system/controlDict and ./Allclean && ./Allrun",
-                  failed.string(), log.steps().back().time, end, because));
+                  failed.string(), application, log.steps().back().time, end, because));
 }
 
 // Steps shorten for a while at an impact; a millionth of the usual one means that speeds grow without bound.
@@ -106,11 +107,11 @@ void require_openfoam() {
   }
 }
 
-FoamRun run_foam(const fs::path& folder, double end) {
+FoamRun run_foam(const fs::path& folder, double end, const std::string& application) {
   const SignalWatch signals;
   const auto start = Clock::now();
   ChildProcess allrun({"/bin/sh", (folder / "Allrun").string()}, folder / "log.Allrun");
-  SolverLog log(folder / "log.multiphaseInterFoam");
+  SolverLog log(folder / ("log." + application));
   {
     Progress progress(end);
     while (allrun.running()) {
@@ -126,7 +127,7 @@ FoamRun run_foam(const fs::path& folder, double end) {
     log.read_on();
     progress.show(log.steps());
   }
-  if (!allrun.succeeded()) report_failure(folder, log, end);
+  if (!allrun.succeeded()) report_failure(folder, log, end, application);
   return {allrun.cpu_seconds(), seconds_since(start), log.version(), log.steps()};
 }
 

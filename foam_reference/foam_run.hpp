@@ -23,8 +23,9 @@ struct Interrupted {
 /// Throws InputError saying how to get OpenFOAM when its programs are not on PATH.
 void require_openfoam();
 
-/// Runs Allrun in `folder` until `end` [s], with progress on stderr. Throws RunError that says at which time it failed,
-/// which log to read and what to try; throws Interrupted.
-FoamRun run_foam(const std::filesystem::path& folder, double end);
+/// Runs Allrun in `folder`, whose solver is `application`, until `end` [s], with progress on stderr. Throws RunError
+/// that says at which time it failed, which log to read and what to try; throws Interrupted.
+FoamRun run_foam(const std::filesystem::path& folder, double end,
+                 const std::string& application = "multiphaseInterFoam");
 
 }  // namespace thalweg::foam

@@ -14,6 +14,7 @@ std::string boundary(const MeshPlan& plan, const std::string& at_walls, const st
   std::string text;
   if (plan.open(Face::wall)) text += boundary_entry("walls", at_walls);
   if (plan.has_solids) text += boundary_entry("solids", at_walls);
+  if (plan.has_surfaces) text += boundary_entry("\"surface[0-9]+\"", at_walls);
   if (plan.open(Face::open)) text += boundary_entry("atmosphere", at_open);
   if (plan.open(Face::unused)) text += boundary_entry("frontAndBack", "type empty;");
   if (plan.open(Face::periodic)) text += boundary_entry("\"(minus|plus)[XYZ]\"", "type cyclic;");
@@ -41,11 +42,24 @@ CaseFiles initial_fields(const FoamCase& foam_case) {
   CaseFiles files;
   for (const std::string& phase : phases(foam_case)) {
     const std::string inflow = phase == "air" ? "1" : "0";
+    if (phase == "air" && foam_case.application() == "interFoam") continue;  // what is not water
     files["0.orig/alpha." + phase] =
         field(foam_case, "volScalarField", "alpha." + phase,
               "Volume share of " + phase + " [-]. What flows in through open faces is air.", "[0 0 0 0 0 0 0]", inflow,
               boundary(plan, "type zeroGradient;",
                        "type inletOutlet; inletValue uniform " + inflow + "; value uniform " + inflow + ";"));
+  }
+  if (foam_case.has_eroding_bed()) {
+    const std::string open = "type inletOutlet; inletValue uniform 0; value uniform 0;";
+    files["0.orig/bed"] =
+        field(foam_case, "volScalarField", "bed", "Share of the cell that lies below the bed's surface [-].",
+              "[0 0 0 0 0 0 0]", "0", boundary(plan, "type zeroGradient;", "type zeroGradient;"));
+    files["0.orig/grains"] = field(foam_case, "volScalarField", "grains", "Volume share of suspended grains [-].",
+                                   "[0 0 0 0 0 0 0]", "0", boundary(plan, "type zeroGradient;", open));
+  }
+  if (foam_case.scene.foam.turbulence == FoamTurbulence::smagorinsky) {
+    files["0.orig/nut"] = field(foam_case, "volScalarField", "nut", "Eddy viscosity [m^2/s].", "[0 2 -1 0 0 0 0]", "0",
+                                boundary(plan, "type zeroGradient;", "type zeroGradient;"));
   }
   files["0.orig/U"] =
       field(foam_case, "volVectorField", "U", "Velocity [m/s]: at rest; no slip at walls.", "[0 1 -1 0 0 0 0]",

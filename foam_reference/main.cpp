@@ -7,7 +7,8 @@
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/run_folder.hpp"
-#include "foam_reference/reference_run.hpp"
+#include "foam_reference/all_models.hpp"
+#include "foam_reference/foam_run.hpp"
 
 namespace thalweg {
 namespace {
@@ -17,13 +18,17 @@ int run(int argc, char** argv) {
   std::string out;
   std::string cell;
   std::vector<std::string> settings;
-  int ranks = 1;
+  foam::ModelOptions options;
 
   CLI::App app("Computes a scene on a mesh with OpenFOAM, to be seen beside the particle model.", "thalweg-foam");
   app.add_option("case", case_path, "Folder with case.toml, or the file")->required();
-  app.add_option("--out", out, "Folder of the run; results go to DIR/foam (default: out/NAME)");
+  app.add_option("--out", out, "Folder of the run; results go to DIR/foam/MODEL (default: out/NAME)");
   app.add_option("--cell", cell, "Cell size with unit, such as \"10 mm\" (default: foam.cell of the case)");
-  app.add_option("--ranks", ranks, "Number of processes")->check(CLI::Range(1, 4096));
+  app.add_option("--model", options.model,
+                 "One model only: same-material, eroding-bed or stock (default: foam.models of the case)");
+  app.add_option("--meshes", options.meshes, "Number of meshes, each twice as coarse as the one before")
+      ->check(CLI::Range(1, 4));
+  app.add_option("--ranks", options.ranks, "Number of processes")->check(CLI::Range(1, 4096));
   app.add_option("--set", settings, "Sets a key of the case file: numerics.spacing=\"4 mm\"")->allow_extra_args(false);
   if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
 
@@ -31,10 +36,7 @@ int run(int argc, char** argv) {
   const Case scene = read_case(case_path, settings);
   const RunFolder folder{out.empty() ? std::filesystem::path("out") / scene.info.name : std::filesystem::path(out)};
   try {
-    const foam::FoamCase foam_case = foam::make_foam_case(scene, ranks);
-    if (foam::reference_run(foam_case, folder.foam()) == foam::Reference::already_there) {
-      fmt::print(stderr, "foam: {} is finished and up to date\n", folder.foam().string());
-    }
+    foam::run_models(scene, folder, options);
   } catch (const foam::Interrupted& interrupted) {
     fmt::print(stderr, "foam: interrupted; {} is not finished\n", folder.foam().string());
     return static_cast<int>(interrupted.signal == SIGINT ? Exit::interrupted : Exit::terminated);

@@ -106,7 +106,8 @@ struct CellSource {
 };
 
 // In 2-D the sources reach through the block's width.
-CellSource cell_source(const FoamCase& foam_case, const Shape& shape) {
+CellSource cell_source(const FoamCase& foam_case, const Shape& given) {
+  const Shape shape = as_filled_box(foam_case.scene, given);
   const MeshPlan& plan = foam_case.plan;
   const bool plane = foam_case.scene.info.dimension == 2;
   const auto at_y = [&](Vec3 point, double y) {
@@ -114,7 +115,7 @@ CellSource cell_source(const FoamCase& foam_case, const Shape& shape) {
     return point;
   };
   const Vec3 low = plan.low, high = plan.high;
-  if (is_combined(shape)) return {"cellToCell", "set " + combined_set(foam_case.scene, shape) + ";"};
+  if (is_combined(given)) return {"cellToCell", "set " + combined_set(foam_case.scene, given) + ";"};
   if (shape.kind == ShapeKind::box) {
     return {"boxToCell", "box " + vector(at_y(off_centres(plan, shape.from), low.y())) + " " +
                              vector(at_y(off_centres(plan, shape.to), high.y())) + ";"};
@@ -160,7 +161,8 @@ std::string flow_set(const FoamCase& foam_case) {
   std::string text = set_action(
       "flow", "new", {"boxToCell", "box " + vector(plan.low - margin) + " " + vector(plan.high + margin) + ";"});
   for (const Shape& shape : foam_case.scene.shapes) {
-    const bool solid = shape.role == ShapeRole::wall && !is_container(shape);
+    const bool solid =
+        shape.role == ShapeRole::wall && !is_container(shape) && !is_meshed_solid(foam_case.scene, shape);
     if (!solid && !holds_fluid(shape)) continue;
     if (is_combined(shape)) text += combine(foam_case, shape);
     text += set_action("flow", solid ? "subtract" : "add", cell_source(foam_case, shape));
@@ -178,6 +180,13 @@ std::string combined_sets(const FoamCase& foam_case) {
 
 std::string phase_values(const FoamCase& foam_case, const std::string& filled) {
   std::string text;
+  if (foam_case.application() == "interFoam") {
+    const bool bed = filled == "sediment";
+    const bool wet = filled == "water" || (bed && foam_case.scene.sediment().pore_density > 0);
+    text = std::string(" volScalarFieldValue alpha.water ") + (wet ? "1" : "0");
+    if (foam_case.has_eroding_bed()) text += std::string(" volScalarFieldValue bed ") + (bed ? "1" : "0");
+    return text + " ";
+  }
   for (const std::string& phase : phases(foam_case)) {
     text += " volScalarFieldValue alpha." + phase + (phase == filled ? " 1" : " 0");
   }
@@ -208,7 +217,8 @@ std::string set_fields(const FoamCase& foam_case) {
 
 std::string decompose(const FoamCase& foam_case) {
   const MeshPlan& plan = foam_case.plan;
-  const auto longest = std::ranges::max_element(plan.cells) - plan.cells.begin();
+  // Along the ground: a slab holds its columns from floor to top, all but those it shares with the next.
+  const auto longest = plan.cells[1] > plan.cells[0] ? 1 : 0;
   Eigen::Vector3i parts = Eigen::Vector3i::Ones();
   parts[longest] = foam_case.ranks;
   return substitute(R"(numberOfSubdomains %ranks%;
@@ -250,7 +260,7 @@ CaseFiles mesh_files(const FoamCase& foam_case) {
       "The shapes in the case's order: later ones take the place of earlier ones. Cells by their centres.",
       set_fields(foam_case));
   if (foam_case.ranks > 1) {
-    add("decomposeParDict", "Slabs along the longest side, one a rank.", decompose(foam_case));
+    add("decomposeParDict", "Slabs along the longer side on the ground, one a rank.", decompose(foam_case));
   }
   return files;
 }

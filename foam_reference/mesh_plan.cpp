@@ -23,11 +23,19 @@ void check_kind(const Case& scene, const Shape& shape) {
     case ShapeKind::combine_union:
     case ShapeKind::combine_difference:
     case ShapeKind::combine_intersection:
+    case ShapeKind::level:
+    case ShapeKind::layer:
       return;
+    case ShapeKind::mesh:
+      if (is_meshed_solid(scene, shape)) return;
+      throw InputError(place(scene, shape) +
+                       ": the mesh model takes a mesh as a solid wall in 3-D only, from an STL or "
+                       "OBJ file and not turned (\"" +
+                       shape.name + "\"); run this case with --no-foam");
     default:
       throw InputError(place(scene, shape) + ": shape \"" + shape.name +
-                       "\" is of a kind the mesh model does not have (it takes box, cylinder, sphere and their "
-                       "combinations); run this case with --no-foam");
+                       "\" is of a kind the mesh model does not have (it takes box, cylinder, sphere, level, layer, "
+                       "mesh and combinations); run this case with --no-foam");
   }
 }
 
@@ -147,8 +155,11 @@ MeshPlan plan_mesh(const Case& scene) {
     plan.cells[axis] = std::llround(length / plan.cell);
   }
   check_resolution(scene, plan);
-  plan.has_solids = std::ranges::any_of(
-      scene.shapes, [](const Shape& shape) { return shape.role == ShapeRole::wall && !is_container(shape); });
+  plan.has_solids = std::ranges::any_of(scene.shapes, [&](const Shape& shape) {
+    return shape.role == ShapeRole::wall && !is_container(shape) && !is_meshed_solid(scene, shape);
+  });
+  plan.has_surfaces =
+      std::ranges::any_of(scene.shapes, [&](const Shape& shape) { return is_meshed_solid(scene, shape); });
   return plan;
 }
 

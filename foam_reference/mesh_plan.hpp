@@ -17,6 +17,7 @@ struct MeshPlan {
   std::array<std::int64_t, 3> cells{1, 1, 1};  // [-] along x, y, z
   std::array<Face, 6> faces{};                 // -x +x -y +y -z +z
   bool has_solids = false;                     // solid walls are taken out of the block
+  bool has_surfaces = false;                   // solid walls from surface meshes are taken out by snappyHexMesh
   double cell = 0;                             // [m] asked for; size() is what fits the container
 
   [[nodiscard]] Vec3 size() const;                                    // [m] of one cell

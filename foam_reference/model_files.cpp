@@ -43,10 +43,91 @@ std::string herschel_bulkley(const StockRheology& r) {
                      {"rho", number(r.density)}});
 }
 
+// The case file's word for a choice; the library's dictionaries use the same ones.
+template <class E>
+std::string word_of(E value) {
+  for (const Choice<E>& word : choices(E{})) {
+    if (word.value == value) return word.name;
+  }
+  return "";
+}
+
+std::string fit_word(YieldFit fit) { return fit == YieldFit::plane_strain ? "planeStrain" : word_of(fit); }
+
+// The particle model's own laws, compiled into libthalwegFoam.
+std::string thalweg_sediment(const FoamCase& foam_case) {
+  const Case& scene = foam_case.scene;
+  const SedimentParameters& s = scene.sediment();
+  return substitute(R"(    sediment
+    {
+        transportModel  thalwegSediment;
+        thalwegSedimentCoeffs
+        {
+            density             %density%;
+            porosity            %porosity%;
+            grainDensity        %grain_density%;
+            poreDensity         %pore_density%;
+            grainDiameter       %diameter%;
+            frictionAngle       %friction_angle%;
+            cohesion            %cohesion%;
+            yieldCriterion      %criterion%;
+            yieldFit            %fit%;
+            effectivePressure   %closure%;
+            rheology            %rheology%;
+            consistency         %consistency%;
+            flowIndex           %flow_index%;
+            regularisation      %regularisation%;
+            dynamicFrictionAngle %dynamic_angle%;
+            inertialNumber      %inertial_number%;
+            gravity             %gravity%;
+            leastViscosity      %least%;
+            columns
+            {
+%columns%            }
+        }
+        rho             %density%;
+    }
+)",
+                    {{"density", number(s.bed_density())},
+                     {"porosity", number(s.porosity)},
+                     {"grain_density", number(s.grain_density)},
+                     {"pore_density", number(s.pore_density)},
+                     {"diameter", number(s.grain_diameter)},
+                     {"friction_angle", number(s.friction_angle)},
+                     {"cohesion", number(s.cohesion)},
+                     {"criterion", scene.model.yield == YieldCriterion::mohr_coulomb ? "mohrCoulomb" : "druckerPrager"},
+                     {"fit", fit_word(scene.model.plane_strain_fit())},
+                     {"closure", word_of(scene.model.effective_pressure)},
+                     {"rheology", scene.model.rheology == Rheology::mu_of_i ? "muOfI" : "herschelBulkley"},
+                     {"consistency", number(s.consistency)},
+                     {"flow_index", number(s.flow_index)},
+                     {"regularisation", number(s.regularisation)},
+                     {"dynamic_angle", number(s.dynamic_friction_angle)},
+                     {"inertial_number", number(s.inertial_number)},
+                     {"gravity", number(-scene.domain.gravity.z())},
+                     {"least", number(scene.water.viscosity)},
+                     {"columns", columns_entries(foam_case.plan, "                ")}});
+}
+
+std::string sediment_phase(const FoamCase& foam_case) {
+  if (!foam_case.has_sediment_phase()) return "";
+  return foam_case.rheology ? herschel_bulkley(*foam_case.rheology) : thalweg_sediment(foam_case);
+}
+
 std::string purpose(const FoamCase& foam_case) {
   std::string text =
       "Phases that share the cells. No surface tension: the particle model has none, and cells are far larger than\n"
       "a capillary rise.\n";
+  if (foam_case.has_eroding_bed()) {
+    return text +
+           "\nThe bed is no phase: system/controlDict has its laws, constant/fvOptions what it does to the "
+           "water.\nIts pores are full of water, so that the share of water does not change where it erodes.\n";
+  }
+  if (foam_case.has_sediment_phase() && !foam_case.rheology) {
+    return text +
+           "\nSediment: the particle model's own laws (solver/physics), compiled into libthalwegFoam. SI, "
+           "dynamic viscosities;\n`columns` is the block of cells that the effective pressure is summed up in.\n";
+  }
   if (!foam_case.rheology) return text;
   const StockRheology& r = *foam_case.rheology;
   return text +
@@ -72,12 +153,27 @@ std::string surface_tensions(const std::vector<std::string>& names) {
 
 std::string transport(const FoamCase& foam_case) {
   const WaterParameters& water = foam_case.scene.water;
+  if (foam_case.application() == "interFoam") {
+    return "phases (water air);\n\n" + newtonian("water", water.viscosity / water.density, water.density) + "\n" +
+           newtonian("air", air_kinematic_viscosity, air_density) + "\nsigma 0;\n";
+  }
   return substitute("phases\n(\n%phases%);\n\nsigmas\n(\n%sigmas%);\n",
                     {{"phases", newtonian("water", water.viscosity / water.density, water.density) +
-                                    (foam_case.rheology ? herschel_bulkley(*foam_case.rheology) : "") +
-                                    newtonian("air", air_kinematic_viscosity, air_density)},
+                                    sediment_phase(foam_case) + newtonian("air", air_kinematic_viscosity, air_density)},
                      {"sigmas", surface_tensions(phases(foam_case))}});
 }
+
+constexpr const char* large_eddies = R"(simulationType LES;
+
+LES
+{
+    LESModel        Smagorinsky;
+    turbulence      on;
+    printCoeffs     on;
+    delta           cubeRootVol;
+    cubeRootVolCoeffs { deltaCoeff 1; }
+}
+)";
 
 }  // namespace
 
@@ -87,8 +183,12 @@ CaseFiles model_files(const FoamCase& foam_case) {
   files["constant/transportProperties"] =
       foam_file(scene, "dictionary", "transportProperties", purpose(foam_case), transport(foam_case));
   files["constant/turbulenceProperties"] =
-      foam_file(scene, "dictionary", "turbulenceProperties", "No turbulence model, as in the particle model.",
-                "simulationType laminar;\n");
+      scene.foam.turbulence == FoamTurbulence::laminar
+          ? foam_file(scene, "dictionary", "turbulenceProperties", "No turbulence model, as in the particle model.",
+                      "simulationType laminar;\n")
+          : foam_file(scene, "dictionary", "turbulenceProperties",
+                      "Large eddies, in all phases alike: Smagorinsky's model does not know what it stirs.",
+                      large_eddies);
   files["constant/g"] = foam_file(scene, "uniformDimensionedVectorField", "g", "Gravity [m/s^2].",
                                   "dimensions [0 1 -2 0 0 0 0];\nvalue " + vector(scene.domain.gravity) + ";\n");
   return files;

@@ -92,7 +92,7 @@ Reference reference_run(const FoamCase& foam_case, const fs::path& folder) {
   } catch (const fs::filesystem_error& error) {
     throw RunError(std::string(error.what()) + "; check the permissions of " + root.string());
   }
-  const FoamRun run = run_foam(root / "case", foam_case.scene.output.end);
+  const FoamRun run = run_foam(root / "case", foam_case.scene.output.end, foam_case.application());
   report(write_results(foam_case, root, run), run);
   return Reference::computed;
 }

@@ -12,6 +12,7 @@
 #include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/profile.hpp"
+#include "foam_reference/bed_files.hpp"
 #include "foam_reference/column_sampler.hpp"
 #include "foam_reference/field_file.hpp"
 #include "foam_reference/reference_run.hpp"
@@ -29,8 +30,7 @@ fs::path time_folder(const fs::path& case_folder, double time) {
     const double value = std::strtod(name.c_str(), &end);
     if (end != name.c_str() && *end == '\0' && std::abs(value - time) < 1e-6) return entry.path();
   }
-  throw RunError(
-      fmt::format("{}: no fields at t = {:g} s; see log.multiphaseInterFoam there", case_folder.string(), time));
+  throw RunError(fmt::format("{}: no fields at t = {:g} s; see the solver's log there", case_folder.string(), time));
 }
 
 std::vector<Vec3> cell_centres(const fs::path& case_folder) {
@@ -43,17 +43,16 @@ std::vector<Vec3> cell_centres(const fs::path& case_folder) {
   return centres;
 }
 
-double volume(const fs::path& field, double cell_volume, std::size_t cells) {
+double volume(const fs::path& field, const std::vector<double>& cell_volumes) {
   const std::vector<double> shares = read_scalar_field(field);
-  const double sum = shares.size() == 1 ? shares.front() * static_cast<double>(cells)
-                                        : std::accumulate(shares.begin(), shares.end(), 0.0);
-  return sum * cell_volume;
+  if (shares.size() == 1) return shares.front() * std::accumulate(cell_volumes.begin(), cell_volumes.end(), 0.0);
+  return std::inner_product(shares.begin(), shares.end(), cell_volumes.begin(), 0.0);
 }
 
 // Rows of numbers of a function object's file; comment lines start with #.
 std::vector<std::vector<double>> read_table(const fs::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw RunError(file.string() + ": this table has not been written; see log.multiphaseInterFoam");
+  if (!stream) throw RunError(file.string() + ": this table has not been written; see the solver's log");
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with("#")) continue;
@@ -66,6 +65,18 @@ std::vector<std::vector<double>> read_table(const fs::path& file) {
 
 std::string volume_unit(const FoamCase& foam_case) { return foam_case.scene.info.dimension == 2 ? "m^3/m" : "m^3"; }
 
+// Time, grains of the bed, in suspension and gone [m^3], lowest and highest bed [m]: the start, then every step.
+constexpr std::size_t grain_columns = 6;
+std::vector<std::vector<double>> read_grains(const fs::path& folder) {
+  return read_table(folder / "case/postProcessing" / eroding_bed_name / "0/grains.dat");
+}
+
+VolumeBalance balance_of_grains(const fs::path& folder) {
+  const auto rows = read_grains(folder);
+  const auto held = [](const std::vector<double>& row) { return row.at(1) + row.at(2); };
+  return {"grains", held(rows.front()), held(rows.back()), rows.back().at(3)};
+}
+
 void write_history(const FoamCase& foam_case, const fs::path& folder, const std::vector<SolverStep>& steps) {
   const auto volumes = read_table(folder / "case/postProcessing/volumes/0/volFieldValue.dat");
   if (volumes.size() != steps.size()) {
@@ -74,11 +85,23 @@ void write_history(const FoamCase& foam_case, const fs::path& folder, const std:
   }
   std::vector<CsvColumn> columns{{"time", "s"}, {"dt", "s"}};
   for (const std::string& phase : phases(foam_case)) columns.push_back({phase, volume_unit(foam_case)});
+  std::vector<std::vector<double>> grains;
+  if (foam_case.has_eroding_bed()) {
+    grains = read_grains(folder);
+    grains.erase(grains.begin());  // the start
+    grains.resize(steps.size(), std::vector<double>(grain_columns, Profile::missing));
+    for (const char* name : {"bed_grains", "suspended_grains", "grains_left"}) {
+      columns.push_back({name, volume_unit(foam_case)});
+    }
+  }
   columns.push_back({"continuity_error", "-"});
   CsvTable history(columns);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::vector<std::string> row{csv_number(steps[i].time), csv_number(steps[i].dt)};
     for (std::size_t phase = 1; phase < volumes[i].size(); ++phase) row.push_back(csv_number(volumes[i][phase]));
+    if (!grains.empty()) {
+      for (const std::size_t part : {1U, 2U, 3U}) row.push_back(csv_number(grains[i].at(part)));
+    }
     row.push_back(csv_number(steps[i].continuity_error));
     history.add_row(row);
   }
@@ -122,6 +145,37 @@ void write_rheology(Summary& summary, const StockRheology& rheology) {
   summary.row("bed_density", rheology.density, "kg/m^3");
 }
 
+// What decides the sediment in the library's models; the particle model's own words.
+void write_sediment(Summary& summary, const FoamCase& foam_case) {
+  const Case& scene = foam_case.scene;
+  const SedimentParameters& sediment = scene.sediment();
+  if (foam_case.has_eroding_bed()) {
+    summary.row("bed_load", scene.foam.bed_load == BedLoad::van_rijn ? "van Rijn 1984" : "Meyer-Peter & Mueller 1948");
+    summary.row("pick_up", scene.foam.pick_up == PickUp::van_rijn ? "van Rijn 1984" : "Mastbergen & van den Berg 2003");
+    summary.row("grain_diameter", sediment.grain_diameter, "m");
+    summary.row("angle_of_repose", sediment.friction_angle, "rad");
+    return;
+  }
+  const double coefficient = yield_pressure_coefficient(sediment.friction_angle, scene.model.plane_strain_fit());
+  const double deepest = coefficient * (sediment.bed_density() - sediment.pore_density) * -scene.domain.gravity.z() *
+                         foam_case.contents.bed_thickness;
+  summary.row("viscosity_model", "the particle model's (libthalwegFoam)");
+  summary.row("yield_coefficient", coefficient, "-");
+  summary.row("largest_viscosity", deepest * sediment.regularisation / 2 + sediment.consistency, "Pa s");
+  summary.row("consistency", sediment.consistency, "Pa s^n");
+  summary.row("flow_index", sediment.flow_index, "-");
+  summary.row("bed_density", sediment.bed_density(), "kg/m^3");
+}
+
+std::string sentence_of(const FoamCase& foam_case) {
+  const std::string turbulence = foam_case.scene.foam.turbulence == FoamTurbulence::laminar ? "laminar" : "Smagorinsky";
+  if (foam_case.has_eroding_bed()) return "interFoam over an eroding bed (libthalwegFoam; " + turbulence + ")";
+  if (needs_library(foam_case.scene, foam_case.model)) {
+    return "multiphaseInterFoam, sediment by the particle model's laws (libthalwegFoam; " + turbulence + ")";
+  }
+  return foam_case.application() + " (stock OpenFOAM; " + turbulence + ")";
+}
+
 void write_summary(const FoamCase& foam_case, const fs::path& folder, const FoamRun& run, std::size_t cells,
                    const std::vector<VolumeBalance>& balances) {
   const std::string unit = volume_unit(foam_case);
@@ -129,9 +183,11 @@ void write_summary(const FoamCase& foam_case, const fs::path& folder, const Foam
   summary.row("case", foam_case.scene.info.name);
   summary.row("case_hash", hash_of(foam_case.scene));
   summary.row("code_version", THALWEG_VERSION);
-  summary.row("model", "multiphaseInterFoam (stock OpenFOAM; laminar)");
+  summary.row("mesh_model", name_of(foam_case.model));
+  summary.row("model", sentence_of(foam_case));
   summary.row("openfoam_version", run.openfoam_version);
   if (foam_case.rheology) write_rheology(summary, *foam_case.rheology);
+  if (needs_library(foam_case.scene, foam_case.model)) write_sediment(summary, foam_case);
   summary.row("cell_size", foam_case.plan.cell, "m");
   summary.count("cells", cells);
   summary.count("ranks", static_cast<std::size_t>(foam_case.ranks));
@@ -151,22 +207,49 @@ void write_summary(const FoamCase& foam_case, const fs::path& folder, const Foam
   summary.write(folder / "summary.csv");
 }
 
+// The eroding bed's columns at a time: x, y, floor, bed, thickness of what is in suspension, and transport.
+BedColumns read_bed(const fs::path& folder, double time) {
+  BedColumns bed;
+  const fs::path tables = time_folder(folder / "case/postProcessing" / eroding_bed_name, time);
+  for (const auto& row : read_table(tables / "columns.dat")) {
+    bed.x.push_back(row.at(0));
+    bed.level.push_back(row.at(3));
+    bed.suspended.push_back(row.at(4));
+  }
+  return bed;
+}
+
+// Shares of air and sediment in the cells at a time.
+PhaseFields read_phases(const FoamCase& foam_case, const fs::path& fields) {
+  PhaseFields shares;
+  if (foam_case.has_sediment_phase()) shares.sediment = read_scalar_field(fields / "alpha.sediment");
+  if (foam_case.application() == "multiphaseInterFoam") {
+    shares.air = read_scalar_field(fields / "alpha.air");
+  } else {
+    shares.air = read_scalar_field(fields / "alpha.water");
+    for (double& share : shares.air) share = 1 - share;
+  }
+  return shares;
+}
+
 }  // namespace
 
 void write_profiles(const FoamCase& foam_case, const fs::path& folder) {
   const ColumnSampler sampler(foam_case.plan, cell_centres(folder / "case"));
   for (const double time : foam_case.scene.compare.times) {
-    const fs::path fields = time_folder(folder / "case", time);
-    const SampledProfile sampled =
-        sampler.sample({foam_case.rheology ? read_scalar_field(fields / "alpha.sediment") : std::vector<double>(),
-                        read_scalar_field(fields / "alpha.air")});
+    SampledProfile sampled = sampler.sample(read_phases(foam_case, time_folder(folder / "case", time)));
+    if (foam_case.has_eroding_bed()) add_bed(sampled.profile, read_bed(folder, time));
     std::vector<std::string> comments{
-        fmt::format("OpenFOAM multiphaseInterFoam, t = {:g} s, cells of {:g} m", time, foam_case.plan.size().x()),
+        fmt::format("OpenFOAM {}, model {}, t = {:g} s, cells of {:g} m", foam_case.application(),
+                    name_of(foam_case.model), time, foam_case.plan.size().x()),
         "elevations are column integrals of the phases' shares",
         fmt::format("the surface of equal shares (0.5) lies at most {:.2g} m from the free surface",
                     sampled.largest_free_surface_spread)};
-    if (foam_case.rheology) {
+    if (foam_case.has_sediment_phase()) {
       comments.back() += fmt::format(", {:.2g} m from the bed", sampled.largest_bed_spread);
+    }
+    if (foam_case.has_eroding_bed()) {
+      comments.emplace_back("moving_bed: the packed bed; bed: with the grains in suspension above it, packed alike");
     }
     write_profile(folder / "profiles" / profile_file_name(time), sampled.profile, comments);
   }
@@ -175,17 +258,18 @@ void write_profiles(const FoamCase& foam_case, const fs::path& folder) {
 std::vector<VolumeBalance> write_results(const FoamCase& foam_case, const fs::path& folder, const FoamRun& run) {
   const fs::path case_folder = folder / "case";
   const std::size_t cells = cell_centres(case_folder).size();
+  std::vector<double> cell_volumes = read_scalar_field(case_folder / "constant" / "V");
+  if (cell_volumes.size() == 1) cell_volumes.assign(cells, cell_volumes.front());
   const fs::path end_fields = time_folder(case_folder, foam_case.scene.output.end);
 
   std::vector<VolumeBalance> balances;
   for (const std::string& phase : phases(foam_case)) {
     if (phase == "air") continue;
-    const auto volume_in = [&](const fs::path& fields) {
-      return volume(fields / ("alpha." + phase), foam_case.plan.cell_volume(), cells);
-    };
+    const auto volume_in = [&](const fs::path& fields) { return volume(fields / ("alpha." + phase), cell_volumes); };
     balances.push_back(
         {phase, volume_in(case_folder / "0"), volume_in(end_fields), outflow(foam_case, folder, phase, run.steps)});
   }
+  if (foam_case.has_eroding_bed()) balances.push_back(balance_of_grains(folder));
   write_profiles(foam_case, folder);
   write_history(foam_case, folder, run.steps);
   write_summary(foam_case, folder, run, cells, balances);

@@ -62,11 +62,28 @@ const Shape& find_shape(const Case& scene, const std::string& name, const Shape&
                    "\", which does not exist; name a [[shape]] of this case");
 }
 
+Shape as_filled_box(const Case& scene, const Shape& shape) {
+  if (shape.kind != ShapeKind::level && shape.kind != ShapeKind::layer) return shape;
+  const auto container = std::ranges::find_if(scene.shapes, is_container);
+  if (container == scene.shapes.end()) {
+    throw InputError(place(scene, shape) + ": \"" + shape.name +
+                     "\" has no container to fill; put a wall shape with side = \"outside\" before it");
+  }
+  Shape filled = shape;
+  filled.kind = ShapeKind::box;
+  filled.from = container->from;
+  filled.to = container->to;
+  filled.to.z() = shape.kind == ShapeKind::level ? shape.level : container->from.z() + shape.thickness;
+  return filled;
+}
+
 bool contains(const Case& scene, const Shape& shape, const Vec3& point) {
   const auto in_part = [&](const std::string& name) { return contains(scene, find_shape(scene, name, shape), point); };
   switch (shape.kind) {
     case ShapeKind::box:
-      return in_box(scene, shape, point);
+    case ShapeKind::level:
+    case ShapeKind::layer:
+      return in_box(scene, as_filled_box(scene, shape), point);
     case ShapeKind::cylinder:
       return in_cylinder(scene, shape, point);
     case ShapeKind::sphere:
@@ -86,6 +103,11 @@ Bounds bounds_of(const Case& scene, const Shape& shape) {
   switch (shape.kind) {
     case ShapeKind::box:
       return {shape.from, shape.to};
+    case ShapeKind::level:
+    case ShapeKind::layer: {
+      const Shape filled = as_filled_box(scene, shape);
+      return {filled.from, filled.to};
+    }
     case ShapeKind::sphere:
       return around(shape.center, shape.center, shape.radius);
     case ShapeKind::cylinder:
@@ -112,6 +134,12 @@ Material material_at(const Case& scene, const Vec3& point) {
     }
   }
   return Material::air;
+}
+
+bool is_meshed_solid(const Case& scene, const Shape& shape) {
+  const std::string extension = std::filesystem::path(shape.file).extension().string();
+  return scene.info.dimension == 3 && shape.kind == ShapeKind::mesh && shape.role == ShapeRole::wall &&
+         shape.side == WallSide::inside && shape.rotate.empty() && (extension == ".stl" || extension == ".obj");
 }
 
 bool is_container(const Shape& shape) { return shape.role == ShapeRole::wall && shape.side == WallSide::outside; }

@@ -20,7 +20,11 @@ std::string place(const Case& scene);
 /// The shape another one names in `of`. Throws InputError when there is none.
 const Shape& find_shape(const Case& scene, const std::string& name, const Shape& asked_by);
 
-/// Whether `point` [m] lies in the shape; in 2-D only x and z count.
+/// `level` and `layer` as the box over the container's floor that they fill; every other shape as it is.
+/// Throws InputError where no container stands before it.
+Shape as_filled_box(const Case& scene, const Shape& shape);
+
+/// Whether `point` [m] lies in the shape (never in a mesh, whose inside OpenFOAM finds); in 2-D only x and z count.
 bool contains(const Case& scene, const Shape& shape, const Vec3& point);
 
 /// Bounds of the shape [m] (of a difference: those of its first part; of an intersection: what the bounds share).
@@ -28,6 +32,9 @@ Bounds bounds_of(const Case& scene, const Shape& shape);
 
 /// What the shapes put at `point` [m]: later ones take the place of earlier ones; the container counts for nothing.
 Material material_at(const Case& scene, const Vec3& point);
+
+/// Whether the shape is a solid that snappyHexMesh takes out: a wall in 3-D from an STL or OBJ file, not turned.
+bool is_meshed_solid(const Case& scene, const Shape& shape);
 
 /// Whether the shape is the container the flow lies in.
 bool is_container(const Shape& shape);

@@ -7,7 +7,7 @@
 
 namespace thalweg::foam {
 
-/// One time step as multiphaseInterFoam reports it.
+/// One time step as OpenFOAM's solvers report it.
 struct SolverStep {
   double time = 0;              // [s]
   double dt = 0;                // [s]

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,28 +23,71 @@ struct CurveError {
   double bias = 0;              // [m] mean error
   double largest_error = 0;     // [m] the error of largest magnitude, with its sign
   double largest_error_at = 0;  // [m] x
+
+  std::string line{};  // empty: the profile along x
+  /// [-] of the bed: 1 - <(compared - reference)^2> / <(initial - reference)^2> (Sutherland, Peet and Soulsby 2004,
+  /// Coastal Engineering 51, 917-939), 1 when perfect, 0 when no better than a bed that does not change; NaN without an
+  /// initial bed or without change.
+  double brier_skill = std::numeric_limits<double>::quiet_NaN();
+  double scatter = std::numeric_limits<double>::quiet_NaN();  // [m] of repeated runs; NaN where it is not known
+  int scatter_runs = 0;                                       // [-] 0: not told
+};
+
+/// How far apart two sources say one number is at one time [m].
+struct ScalarError {
+  std::string reference;
+  std::string compared;
+  std::string line;
+  std::string quantity;  // "front", "scour", "scour_at", "deposition"
+  double time = 0;       // [s]
+  double reference_value = 0;
+  double compared_value = 0;  // NaN, like the other, where the source does not have it
+};
+
+/// What equal runs differ by: root mean square over all pairs of them and the columns they share.
+struct Scatter {
+  std::string line;
+  std::string curve;
+  double time = 0;  // [s]
+  double rms = 0;   // [m]
+  int runs = 0;
 };
 
 struct Comparison {
   std::vector<CurveError> errors;
+  std::vector<ScalarError> scalars{};
   std::vector<std::string> remarks;  // what could not be compared, in words
 };
 
 /// How the errors are made, for tables and reports.
 inline constexpr const char* comparison_method =
     "error = compared - reference at the reference's points between the common ends, the compared curve linear between "
-    "its points, never beyond its ends or across a gap; normalised by (max - min) of the reference over those points";
+    "its points, never beyond its ends or across a gap; normalised by (max - min) of the reference over those points; "
+    "skill: Brier skill score of the bed's change since 0 s; scatter: what equal runs differ by (root mean square)";
 
-/// Compares two sets at all times they share, curve by curve, over from <= x <= to [m].
-Comparison compare(const ProfileSet& reference, const ProfileSet& compared, double from, double to);
+/// What is compared, and with which water a place counts as wet.
+struct ComparedRange {
+  double from = -std::numeric_limits<double>::infinity();  // [m]
+  double to = std::numeric_limits<double>::infinity();     // [m]
+  double least_depth = 0;                                  // [m] of the front
+};
+
+/// Compares two sets at all times they share, curve by curve and number by number.
+Comparison compare(const ProfileSet& reference, const ProfileSet& compared, const ComparedRange& range);
 
 /// Compares every two sets, the more trusted one (SourceKind) as the reference.
-Comparison compare_all(const std::vector<ProfileSet>& sets, double from, double to);
+Comparison compare_all(const std::vector<ProfileSet>& sets, const ComparedRange& range);
+
+/// The scatter of sets of one line at the times all of them have.
+std::vector<Scatter> scatter_of(const std::vector<ProfileSet>& repeated);
+
+/// Writes the scatter beside the errors of pairs in which `label` takes part.
+void add_scatter(Comparison& comparison, const std::string& label, const std::vector<Scatter>& scatter);
 
 /// The table for a terminal, lengths in mm.
 std::string table_of(const Comparison& comparison);
 
-/// Writes errors.csv; lengths in m. Throws RunError.
-void write_errors(const std::filesystem::path& file, const Comparison& comparison);
+/// Writes errors.csv and scalars.csv into `folder`; lengths in m. Throws RunError.
+void write_errors(const std::filesystem::path& folder, const Comparison& comparison);
 
 }  // namespace thalweg

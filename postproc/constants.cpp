@@ -147,6 +147,10 @@ std::vector<ConstantTable> list_constants(const Case& resolved) {
         for (auto& [name, sediment] : copy.sediments) {
           tables.push_back({"materials." + name, values_of(sediment, dimension)});
         }
+      },
+      [&] {
+        for (Gauge& gauge : copy.gauges) tables.push_back({"gauge " + gauge.name, values_of(gauge, dimension)});
+        for (ProfileLine& line : copy.lines) tables.push_back({"line " + line.name, values_of(line, dimension)});
       });
   return tables;
 }

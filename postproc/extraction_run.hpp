@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/case.hpp"
+#include "common/extraction/profile_extraction.hpp"
 #include "common/run_folder.hpp"
-#include "postproc/profile_extraction.hpp"
 #include "postproc/profile_set.hpp"
 
 namespace thalweg {
@@ -27,18 +27,20 @@ struct ExtractionRun {
   ParticleFileInfo info;                // of the last one
   double plane_y = 0;                   // [m]
   std::string rest_criterion;           // in words: which sediment counts as resting
+  std::size_t reused = 0;               // snapshots whose results an earlier pass had left
   std::vector<std::string> warnings;
   bool damaged = false;  // part of the run could not be read or a time asked for is missing
 };
 
-/// Sediment slower than this rests (deposits only, where the solver gives State): a twentieth of sqrt(g d50) [m/s], the
-/// speed scale
-/// of a grain; about 9 mm/s for the Louvain grains. Below it lie creep and noise of particles at rest (about 1 mm/s),
-/// above it moves what a camera sees moving.
-double rest_speed_of(const Case& resolved);
+/// What to take from the snapshots besides the case's own lines and gauges.
+struct ExtractionOptions {
+  std::vector<ProfileLine> lines;
+  bool surfaces = true;
+};
 
-/// Reads the snapshots one at a time, writes <out>/profiles/t0.250.csv … and front.csv. A snapshot that cannot be read
-/// is named in the warnings and skipped. Throws InputError without any readable snapshot.
-ExtractionRun extract_run(const RunFolder& run, const Case& resolved);
+/// Reads the snapshots, a few at a time as memory and cores allow, and writes what docs/file-formats.md says of
+/// profiles/ and surfaces/. What an earlier pass with the same settings left for a snapshot is kept as it is. A
+/// snapshot that cannot be read is named in the warnings and skipped. Throws InputError without any readable snapshot.
+ExtractionRun extract_run(const RunFolder& run, const Case& resolved, const ExtractionOptions& options = {});
 
 }  // namespace thalweg

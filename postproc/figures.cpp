@@ -18,29 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Okabe & Ito (2008): distinguishable with any common colour-vision deficiency. In the order of `curves`.
-constexpr std::array<const char*, 3> curve_colours{"#0072b2", "#d55e00", "#1a1a1a"};
 constexpr const char* source_colour = "#444444";
 constexpr std::array<int, 3> curve_markers{6, 4, 8};  // open circle, square, triangle
 
-// How a source is drawn: run solid; meshes dashed, the second one dotted; other sources dash-dotted; measured: markers.
 std::string source_style(const std::vector<ProfileSet>& sets, std::size_t s) {
-  const auto nth_of_kind =
-      static_cast<std::size_t>(std::count_if(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(s),
-                                             [&](const ProfileSet& earlier) { return earlier.kind == sets[s].kind; }));
-  constexpr std::array mesh_dashes{"(10,5)", "(2,4)", "(14,4,2,4)"};
-  constexpr std::array other_dashes{"(12,4,2,4)", "(5,3)", "(2,7)"};
-  switch (sets[s].kind) {
-    case SourceKind::run:
-      return "with lines lw 2.2 dt 1";
-    case SourceKind::mesh:
-      return fmt::format("with lines lw 1.8 dt {}", mesh_dashes[nth_of_kind % 3]);
-    case SourceKind::other:
-      return fmt::format("with lines lw 1.8 dt {}", other_dashes[nth_of_kind % 3]);
-    case SourceKind::measured:
-      break;
-  }
-  return "with points lw 1.3 ps 0.7";
+  if (sets[s].kind == SourceKind::measured) return "with points lw 1.3 ps 0.7";
+  const std::string dashes = dashes_of_source(sets, s);
+  return dashes.empty() ? "with lines lw 2.2 dt 1" : fmt::format("with lines lw 1.8 dt ({})", dashes);
 }
 
 std::string style_of_curve(const std::vector<ProfileSet>& sets, std::size_t s, std::size_t c) {
@@ -59,6 +43,16 @@ int front_marker(const std::vector<ProfileSet>& sets, std::size_t s) {
 }
 
 }  // namespace
+
+std::string dashes_of_source(const std::vector<ProfileSet>& sets, std::size_t s) {
+  const auto nth_of_kind =
+      static_cast<std::size_t>(std::count_if(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(s),
+                                             [&](const ProfileSet& earlier) { return earlier.kind == sets[s].kind; }));
+  constexpr std::array mesh_dashes{"10,5", "2,4", "14,4,2,4"};
+  constexpr std::array other_dashes{"12,4,2,4", "5,3", "2,7"};
+  if (sets[s].kind == SourceKind::mesh) return mesh_dashes[nth_of_kind % 3];
+  return sets[s].kind == SourceKind::other ? other_dashes[nth_of_kind % 3] : "";
+}
 
 PictureFrame frame_around(const std::vector<ProfileSet>& sets, double from, double to) {
   const double infinite = std::numeric_limits<double>::infinity();
@@ -169,14 +163,16 @@ fs::path FigureWriter::profiles(double time, const std::vector<ProfileSet>& sets
       fmt::format(
           "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
           "set xlabel 'x  [m]' offset 0,0.4\nset ylabel 'z  [mm]' offset 1,0\n"
-          "set key outside top right horizontal maxrows 1 samplen 2.2 font ',11.5' textcolor rgb '#333333'\n"
+          "set key outside top right horizontal maxrows 1 samplen 2.2 width -4 font ',11.5' textcolor rgb '#333333'\n"
           "set label 1 't = {:g} s' at graph 0.985,0.88 right font ',16' front\n"
-          "set lmargin 8\nset rmargin 2\nset tmargin 2\nset bmargin 2.8\n",
-          frame.x_from, frame.x_to, 1e3 * frame.z_from, 1e3 * frame.z_to, time) +
+          "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n",
+          frame.x_from, frame.x_to, 1e3 * frame.z_from, 1e3 * frame.z_to, time, profile_area.left, profile_area.right,
+          profile_area.top, profile_area.bottom) +
       names;
   std::string name = profile_file_name(time);
   name.resize(name.rfind('.'));
-  return write(name, 1000, 270, settings, fmt::format("plot {}", fmt::join(parts, ", \\\n     ")));
+  return write(name, profile_area.width, profile_area.height, settings,
+               fmt::format("plot {}", fmt::join(parts, ", \\\n     ")));
 }
 
 fs::path FigureWriter::front(const fs::path& front, const fs::path& fronts, const std::vector<ProfileSet>& sets) const {

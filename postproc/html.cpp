@@ -15,7 +15,9 @@ std::string contents_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-std::string base64(const std::string& bytes) {
+}  // namespace
+
+std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve(bytes.size() * 4 / 3 + 4);
@@ -30,8 +32,6 @@ std::string base64(const std::string& bytes) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string escape(std::string_view text) {
   std::string safe;

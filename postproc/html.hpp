@@ -25,6 +25,9 @@ std::string inline_svg(const std::filesystem::path& file, const std::string& pre
 /// A PNG file as an <img> with the data in it. Empty when the file cannot be read.
 std::string inline_png(const std::filesystem::path& file, const std::string& title);
 
+/// Bytes as base64.
+std::string base64(std::string_view bytes);
+
 /// 12345678 → "12 345 678" with thin spaces that do not break.
 std::string grouped(double number);
 

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 
 #include "common/case_file.hpp"
 #include "common/run_folder.hpp"
+#include "common/whole_file.hpp"
 #include "postproc/comparison.hpp"
+#include "postproc/embedded.hpp"
 #include "postproc/extraction_run.hpp"
+#include "postproc/line_profile.hpp"
+#include "postproc/movie.hpp"
+#include "postproc/paper_figures.hpp"
 #include "postproc/report.hpp"
 #include "postproc/run_records.hpp"
 
@@ -33,9 +37,10 @@ RunFolder existing_run(const fs::path& folder) {
   return run;
 }
 
-// "OpenFOAM", with its cell size where the model says it, so that two meshes can be told apart.
+// "OpenFOAM", with its model and cell size where it says them, so that two of them can be told apart.
 MeshModel mesh_model(const fs::path& folder, const std::string& otherwise) {
   MeshModel mesh{"OpenFOAM", read_quantities(folder / "summary.csv")};
+  if (const std::optional<std::string> model = text_of(mesh.summary, "mesh_model")) mesh.label += " " + *model;
   if (const std::optional<double> cell = number_of(mesh.summary, "cell_size")) {
     mesh.label += fmt::format(" {:g} mm", 1e3 * *cell);
   } else if (!otherwise.empty()) {
@@ -53,7 +58,7 @@ void add_mesh_models(const RunFolder& run, ReportInput& input) {
     for (const fs::path& path : inside) folders.emplace_back(path, path.filename().string());
   }
   for (const auto& [folder, name] : folders) {
-    if (!holds_profiles(folder / "profiles")) continue;
+    if (!holds_profiles(folder / "profiles") || is_coarser_mesh(folder)) continue;  // report_methods.cpp shows those
     MeshModel mesh = mesh_model(folder, name);
     const bool known = std::any_of(input.sets.begin(), input.sets.end(),
                                    [&](const ProfileSet& set) { return set.label == mesh.label; });
@@ -84,6 +89,71 @@ void add_measurements(const Case& resolved, ReportInput& input) {
   }
 }
 
+constexpr const char* run_label = "Thalweg SPH";
+
+// The sources' profiles along a line, of the run those at the times it is compared at.
+std::vector<ProfileSet> sets_along(const std::string& line, const ReportInput& input) {
+  std::vector<ProfileSet> sets;
+  for (const ProfileSet& source : input.sets) {
+    std::optional<ProfileSet> set = read_line_set(source, line);
+    if (!set) continue;
+    if (source.kind == SourceKind::run) {
+      std::erase_if(set->profiles, [&](const TimedProfile& timed) { return source.at(timed.time) == nullptr; });
+    }
+    sets.push_back(std::move(*set));
+  }
+  return sets;
+}
+
+// What runs that should agree differ by: as measured for the case, or of the runs given.
+std::vector<Scatter> scatter_of_run(const ReportInput& input, const std::string& line,
+                                    const std::vector<std::string>& repeats) {
+  std::vector<Scatter> scatter;
+  if (repeats.empty()) {
+    for (const Repeatability& known : input.repeatability)
+      scatter.push_back({"", known.curve, known.time, known.rms, 0});
+    return scatter;
+  }
+  std::vector<ProfileSet> repeated{input.sets.front()};
+  for (const std::string& folder : repeats) repeated.push_back(read_profile_set(folder, run_label, SourceKind::other));
+  if (line.empty()) return scatter_of(repeated);
+  std::vector<ProfileSet> along;
+  for (const ProfileSet& set : repeated) {
+    if (std::optional<ProfileSet> of_line = read_line_set(set, line)) along.push_back(std::move(*of_line));
+  }
+  return scatter_of(along);
+}
+
+void compare_sources(ReportInput& input, const std::vector<ProfileLine>& further_lines,
+                     const std::vector<std::string>& repeats) {
+  const fs::path repeatability = input.resolved.folder / "repeatability.csv";
+  input.repeatability = read_repeatability(repeatability);
+  if (!input.repeatability.empty()) input.repeatability_origin = comments_in(repeatability);
+
+  ComparedRange range;
+  range.least_depth = least_layer * input.extraction.info.spacing;
+  ComparedRange along_x = range;
+  if (input.resolved.compare.to > input.resolved.compare.from) {
+    along_x.from = input.resolved.compare.from;
+    along_x.to = input.resolved.compare.to;
+  }
+  input.comparison = compare_all(input.sets, along_x);
+  add_scatter(input.comparison, run_label, scatter_of_run(input, "", repeats));
+
+  std::vector<ProfileLine> lines = input.resolved.lines;
+  lines.insert(lines.end(), further_lines.begin(), further_lines.end());
+  for (const ProfileLine& line : lines) {
+    const std::vector<ProfileSet> sets = sets_along(line.name, input);
+    Comparison along = compare_all(sets, range);
+    add_scatter(along, run_label, scatter_of_run(input, line.name, repeats));
+    if (sets.size() < 2) along.remarks.push_back("line " + line.name + ": only the run has profiles along it");
+    Comparison& all = input.comparison;
+    std::move(along.errors.begin(), along.errors.end(), std::back_inserter(all.errors));
+    std::move(along.scalars.begin(), along.scalars.end(), std::back_inserter(all.scalars));
+    std::move(along.remarks.begin(), along.remarks.end(), std::back_inserter(all.remarks));
+  }
+}
+
 void warn(const std::string& message) { fmt::print(stderr, "warning: {}\n", message); }
 
 }  // namespace
@@ -96,32 +166,48 @@ Exit postprocess(const PostprocessOptions& options) {
   input.compare_arguments = options.compare;
   std::vector<ProfileSet> named = read_named_sets(options.compare);  // before the work: a wrong name costs no waiting
 
-  input.extraction = extract_run(run, input.resolved);
+  ExtractionOptions extraction{{}, options.surfaces};
+  for (const std::string& line : options.lines) {
+    extraction.lines.push_back(parse_line(line));
+    if (input.resolved.info.dimension == 2) throw InputError("--line " + line + ": a 2-D run has one profile, along x");
+  }
+  input.extraction = extract_run(run, input.resolved, extraction);
   input.warnings = input.extraction.warnings;
-  fmt::print("{} snapshots, {} profiles in {}\n", input.extraction.fronts.size(), input.extraction.written.size(),
-             run.profiles().string());
+  write_whole_text(run.view_script(), [](std::ostream& stream) { stream << embedded::view_script; });
+  fmt::print(
+      "{} snapshots{}, {} profiles in {}\n", input.extraction.fronts.size(),
+      input.extraction.reused > 0 ? fmt::format(" ({} as an earlier pass left them)", input.extraction.reused) : "",
+      input.extraction.written.size(), run.profiles().string());
 
-  input.sets.push_back({"Thalweg SPH", SourceKind::run, run.profiles(), input.extraction.written});
+  input.sets.push_back(
+      {run_label, SourceKind::run, run.profiles(), input.extraction.written, input.extraction.initial});
   add_mesh_models(run, input);
   std::move(named.begin(), named.end(), std::back_inserter(input.sets));
   add_measurements(input.resolved, input);
-  const Compare& range = input.resolved.compare;
-  const double infinite = std::numeric_limits<double>::infinity();
-  input.comparison = range.to > range.from ? compare_all(input.sets, range.from, range.to)
-                                           : compare_all(input.sets, -infinite, infinite);
+  compare_sources(input, extraction.lines, options.repeats);
   for (const std::string& note : input.reference_notes) fmt::print("{}\n", note);
   fmt::print("{}", table_of(input.comparison));
   for (const std::string& remark : input.comparison.remarks) fmt::print("  {}\n", remark);
-  write_errors(run.report() / "errors.csv", input.comparison);
+  write_errors(run.report(), input.comparison);
 
   bool complete = !input.extraction.damaged;
-  if (options.report) {
-    const fs::path repeatability = input.resolved.folder / "repeatability.csv";
-    input.repeatability = read_repeatability(repeatability);
-    if (!input.repeatability.empty()) input.repeatability_origin = comments_in(repeatability);
+  if (options.paper_figures) fmt::print("\nfigures: {}\n", write_paper_figures(input, options.series).string());
+  if (options.movie) {
+    const Movie movie = make_movie(run, input.resolved);
+    complete = complete && movie.frames > 0;
+    if (movie.frames > 0) {
+      fmt::print("\nmovie: {} frames in {}{}\n", movie.frames, (run.root / "movie").string(),
+                 movie.film.empty() ? "" : ", " + movie.film.string());
+    }
+    input.warnings.insert(input.warnings.end(), movie.warnings.begin(), movie.warnings.end());
+  }
+  if (options.report || options.in_space) {
+    input.in_space = options.in_space;
     input.history = read_history(run.history());
     input.timing = read_timing(run.timing());
     input.summary = read_quantities(run.summary());
+    input.methods = read_methods(run);
+    write_costs(run.report() / "cost.csv", input.methods);
     for (const auto& file : {run.history(), run.timing(), run.summary()}) {
       if (!fs::exists(file)) input.warnings.push_back(file.string() + ": is missing; the report leaves its part out");
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/run_folder.hpp"
 
 namespace thalweg {
 namespace {
@@ -22,6 +23,22 @@ TimedProfile read_timed(const fs::path& file) {
 void sort_by_time(ProfileSet& set) {
   std::sort(set.profiles.begin(), set.profiles.end(),
             [](const TimedProfile& a, const TimedProfile& b) { return a.time < b.time; });
+}
+
+// A run keeps them in profiles/.
+fs::path folder_of_profiles(const fs::path& folder) {
+  const bool is_run = !holds_profiles(folder) && fs::is_directory(folder / "profiles");
+  return is_run ? folder / "profiles" : folder;
+}
+
+// The profile at t = 0, among the others or, for a run, among those of all its snapshots.
+void take_initial(ProfileSet& set) {
+  if (const TimedProfile* first = set.at(0)) {
+    set.initial = *first;
+    return;
+  }
+  const fs::path first = folder_of_profiles(set.origin) / "all" / profile_file_name(0);
+  if (fs::exists(first)) set.initial = read_timed(first);
 }
 
 // A label people recognise: the folder's name, or its parent's where the folder is just called "profiles".
@@ -58,14 +75,27 @@ ProfileSet read_profile_set(const fs::path& folder_or_file, const std::string& l
     set.profiles.push_back(read_timed(folder_or_file));
     return set;
   }
-  const bool is_run = !holds_profiles(folder_or_file) && holds_profiles(folder_or_file / "profiles");
-  for (const auto& entry : fs::directory_iterator(is_run ? folder_or_file / "profiles" : folder_or_file)) {
+  for (const auto& entry : fs::directory_iterator(folder_of_profiles(folder_or_file))) {
     if (time_of_profile(entry.path())) set.profiles.push_back(read_timed(entry.path()));
   }
   if (set.profiles.empty()) {
+    if (fs::exists(RunFolder{folder_or_file}.resolved_case())) {
+      throw InputError(folder_or_file.string() + ": is a run without profiles; take them with thalweg-postproc " +
+                       folder_or_file.string());
+    }
     throw InputError(folder_or_file.string() + ": holds no profile; they are named like " + profile_file_name(0.25));
   }
   sort_by_time(set);
+  take_initial(set);
+  return set;
+}
+
+std::optional<ProfileSet> read_line_set(const ProfileSet& source, const std::string& line) {
+  if (!fs::is_directory(source.origin)) return std::nullopt;
+  const fs::path folder = folder_of_profiles(source.origin) / line;
+  if (!holds_profiles(folder)) return std::nullopt;
+  ProfileSet set = read_profile_set(folder, source.label, source.kind);
+  set.line = line;
   return set;
 }
 
@@ -92,6 +122,7 @@ std::vector<ProfileSet> read_named_sets(const std::vector<std::string>& argument
       known->profiles.push_back(std::move(profile));
     }
     sort_by_time(*known);
+    take_initial(*known);
   }
   return sets;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct ProfileSet {
   SourceKind kind = SourceKind::other;
   std::filesystem::path origin;
   std::vector<TimedProfile> profiles;
+  std::optional<TimedProfile> initial{};  // before anything moved, where the source has it
+  std::string line{};                     // empty: the profile along x
 
   /// The profile at a time, or nothing.
   [[nodiscard]] const TimedProfile* at(double time) const;
@@ -47,6 +50,10 @@ bool holds_profiles(const std::filesystem::path& folder);
 /// Reads a folder of profiles, a run's folder (its profiles/), or one file whose name says its time.
 /// Throws InputError when there is no profile, or one cannot be read.
 ProfileSet read_profile_set(const std::filesystem::path& folder_or_file, const std::string& label, SourceKind kind);
+
+/// The profiles of the same source along a line: those in the folder NAME beside its others; nothing without them.
+/// Throws InputError.
+std::optional<ProfileSet> read_line_set(const ProfileSet& source, const std::string& line);
 
 /// Reads what --compare names: "PATH" or "LABEL=PATH"; files of one folder become one set. Throws InputError.
 std::vector<ProfileSet> read_named_sets(const std::vector<std::string>& arguments);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
 #include "postproc/report_style.hpp"
+#include "postproc/space_time.hpp"
 
 namespace thalweg {
 namespace {
@@ -80,17 +82,37 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   const ParticleTable table =
       write_particle_table(input.run.report() / "data" / "particles.csv",
                            read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
-  scripts.push_back(writer.particles(table, frame, input.extraction.info.spacing));
+  for (fs::path& script : report_sections::method_scripts(input.methods, input.sets.front(), frame, input.run)) {
+    scripts.push_back(std::move(script));
+  }
+  const double spacing = input.extraction.info.spacing;
+  scripts.push_back(writer.particles(table, frame, spacing));
+  if (fs::exists(input.run.particles())) {
+    const ParticleTable start =
+        write_particle_table(input.run.report() / "data" / "scene.csv", read_particles(input.run.particles()),
+                             input.extraction.plane_y, most_points, true);
+    scripts.push_back(writer.scene(start, frame.widened(3.5 * spacing), spacing));
+  }
+  if (input.bed_history.times > 0) {
+    scripts.push_back(writer.space_time(input.bed_history.file, input.run.profiles() / "front.csv", frame, spacing,
+                                        std::max(input.bed_history.largest, spacing)));
+  }
   return scripts;
 }
 
 }  // namespace
 
-bool write_report(const ReportInput& input) {
+bool write_report(ReportInput& input) {
+  input.bed_history = write_bed_history(input.run.report() / "data" / "bed_change.csv", input);
   const fs::path pictures = input.run.report() / "pictures";
   bool drawn = true;
   for (const fs::path& script : write_scripts(input, pictures)) {
     drawn = drawn && run_gnuplot(script) == GnuplotResult::drawn;
+  }
+  SpaceScene space;
+  if (input.in_space) {
+    space = make_space_scene(input);
+    if (!space.why_not.empty()) input.warnings.push_back(space.why_not);
   }
   namespace part = report_sections;
   const std::string title = input.resolved.info.title.empty() ? input.resolved.info.name : input.resolved.info.title;
@@ -98,12 +120,14 @@ bool write_report(const ReportInput& input) {
     page << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << html::escape(title)
          << "</title>\n<style>" << report_style << "</style>\n</head>\n<body>\n";
-    page << part::heading(input) << part::at_a_glance(input);
+    page << part::heading(input) << part::scene(input, pictures) << part::at_a_glance(input)
+         << part::which_is_which(input);
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
-         << part::particles(input, pictures) << part::run_numbers(input) << part::model(input);
+         << part::space_time(input, pictures) << part::space_view(space) << part::particles(input, pictures)
+         << part::methods(input, pictures) << part::run_numbers(input) << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
-    page << part::provenance(input) << "</body>\n</html>\n";
+    page << part::provenance(input) << part::hover(input) << "</body>\n</html>\n";
   });
   return drawn;
 }

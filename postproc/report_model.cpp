@@ -110,7 +110,7 @@ std::string run_numbers(const ReportInput& input) {
   }
   text += mass_sentence(input.history) + "</div>\n</div>\n";
   text += "<h3>The mesh model</h3>\n";
-  text += input.meshes.empty() ? "<p>None has been run beside it (there is no foam/summary.csv).</p>\n"
+  text += input.meshes.empty() ? "<p>None has been run beside it (there is no folder of one in foam/).</p>\n"
                                : mesh_table(input.meshes);
   return text;
 }
@@ -171,16 +171,17 @@ std::string provenance(const ReportInput& input) {
   text += "<h3>Sources</h3>\n" + html::table({"source", "read from", "what its files say"}, sources, "lll", "wide");
   std::string compare;
   for (const std::string& argument : input.compare_arguments) compare += " --compare " + argument;
-  text += html::table({},
-                      {{"solver", escape("thalweg " + info.code_version)},
-                       {"post-processing", "thalweg-postproc " THALWEG_VERSION},
-                       {"hash of the case", "<code>" + escape(info.case_hash) + "</code>"},
-                       {"case file", "<code>" + escape(input.resolved.file.string()) + "</code>"},
-                       {"this page again", fmt::format("<code>thalweg-postproc {}{} --report</code>",
-                                                       escape(input.run.root.string()), escape(compare))},
-                       {"a picture again", "<code>cd report/pictures &amp;&amp; gnuplot t….gp</code>"},
-                       {"curves as drawn", "<code>report/data/</code>"}},
-                      "ll");
+  text += html::table(
+      {},
+      {{"solver", escape("thalweg " + info.code_version)},
+       {"post-processing", "thalweg-postproc " THALWEG_VERSION},
+       {"hash of the case", "<code>" + escape(info.case_hash) + "</code>"},
+       {"case file", "<code>" + escape(input.resolved.file.string()) + "</code>"},
+       {"this page again", fmt::format("<code>thalweg-postproc {}{} {}</code>", escape(input.run.root.string()),
+                                       escape(compare), input.in_space ? "--3d" : "--report")},
+       {"a picture again", "<code>cd report/pictures &amp;&amp; gnuplot t….gp</code>"},
+       {"curves as drawn", "<code>report/data/</code>"}},
+      "ll");
   return text;
 }
 

@@ -42,14 +42,6 @@ std::string title_of(const std::string& curve_name) {
   return curve_name;
 }
 
-std::string figure(const std::string& picture, const std::string& caption) {
-  const std::string shown =
-      picture.empty()
-          ? "<div class=\"missing\">no picture: gnuplot is not installed (apt-get install gnuplot-nox)</div>"
-          : picture;
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", shown, caption);
-}
-
 std::optional<BedChange> change_of_bed(const ReportInput& input) {
   if (!input.extraction.initial || input.extraction.written.empty()) return std::nullopt;
   return bed_change(input.extraction.initial->profile, input.extraction.written.back().profile);
@@ -86,7 +78,7 @@ std::string what_is_seen(const ReportInput& input) {
       double high = 0;
       for (const CurveError& error : input.comparison.errors) {
         const bool of_pair = error.reference == input.sets[s].label && error.compared == input.sets[0].label;
-        if (!of_pair || error.curve != curve.name) continue;
+        if (!of_pair || !error.line.empty() || error.curve != curve.name) continue;
         low = std::min(low, error.rmse);
         high = std::max(high, error.rmse);
       }
@@ -104,7 +96,48 @@ std::string what_is_seen(const ReportInput& input) {
   return text;
 }
 
+// The numbers of scalars.csv: front and extremes of the bed.
+std::string extremes(const ReportInput& input) {
+  std::vector<std::vector<std::string>> rows;
+  std::string last_pair;
+  for (const ScalarError& scalar : input.comparison.scalars) {
+    if (!scalar.line.empty()) continue;
+    const std::string pair = escape(scalar.compared) + " against " + escape(scalar.reference);
+    if (pair != last_pair) rows.push_back({pair});
+    last_pair = pair;
+    std::string quantity = scalar.quantity;
+    std::replace(quantity.begin(), quantity.end(), '_', ' ');
+    const auto cell = [](double value) {
+      return std::isnan(value) ? "–" : html::typeset(fmt::format("{:.4f}", value));
+    };
+    const double error = scalar.compared_value - scalar.reference_value;
+    rows.push_back({quantity, fmt::format("{:g}", scalar.time), cell(scalar.compared_value),
+                    cell(scalar.reference_value),
+                    std::isnan(error) ? "–" : html::typeset(fmt::format("{:+.4f}", error))});
+  }
+  if (rows.empty()) return "";
+  return "<h3>Front, deepest scour and highest deposition</h3>\n" +
+         html::table({"quantity", "t [s]", "compared [m]", "against [m]", "difference [m]"}, rows, "lrrrr") +
+         "<p class=\"small\">Numbers: <a href=\"scalars.csv\">report/scalars.csv</a>.</p>\n";
+}
+
 }  // namespace
+
+std::string figure(const std::string& picture, const std::string& caption, const std::string& id) {
+  const std::string shown =
+      picture.empty()
+          ? "<div class=\"missing\">no picture: gnuplot is not installed (apt-get install gnuplot-nox)</div>"
+          : picture;
+  const std::string named = id.empty() ? "" : " id=\"figure_" + id + "\"";
+  return fmt::format("<figure{}>\n{}<figcaption>{}</figcaption>\n</figure>\n", named, shown, caption);
+}
+
+std::string id_of_profile(double time) {
+  std::string name = profile_file_name(time);
+  name.resize(name.rfind('.'));
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
 
 std::string heading(const ReportInput& input) {
   const CaseInfo& info = input.resolved.info;
@@ -143,10 +176,14 @@ std::string at_a_glance(const ReportInput& input) {
 
 std::string profiles(const ReportInput& input, const std::filesystem::path& pictures) {
   std::string text = "<h2>Profiles</h2>\n<p class=\"key\">";
-  constexpr std::pair<const char*, const char*> colours[] = {
-      {"#0072b2", "free surface"}, {"#d55e00", "bed"}, {"#1a1a1a", "moving bed (top of the sediment at rest)"}};
-  for (const auto& [colour, what] : colours) {
-    text += fmt::format("<span class=\"swatch\" style=\"border-color:{}\"></span>{}", colour, what);
+  constexpr const char* names[] = {"free surface", "bed", "moving bed (top of the sediment at rest)"};
+  for (std::size_t c = 0; c < std::size(curves); ++c) {
+    const bool there = std::any_of(input.sets.begin(), input.sets.end(), [c](const ProfileSet& set) {
+      return std::any_of(set.profiles.begin(), set.profiles.end(),
+                         [c](const TimedProfile& timed) { return !(timed.profile.*curves[c].values).empty(); });
+    });
+    if (!there) continue;
+    text += fmt::format("<span class=\"swatch\" style=\"border-color:{}\"></span>{}", curve_colours[c], names[c]);
   }
   text += ". The colour says which curve it is; ";
   std::vector<std::string> kinds{"a full line is this SPH run"};
@@ -161,14 +198,14 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
   for (const TimedProfile& timed : input.extraction.written) {
     std::string name = profile_file_name(timed.time);
     name.resize(name.rfind('.'));
-    std::string id = name;
-    std::replace(id.begin(), id.end(), '.', '_');
+    const std::string id = id_of_profile(timed.time);
     const std::string picture =
         html::inline_svg(pictures / (name + ".svg"), id, fmt::format("Profiles at t = {:g} s", timed.time));
-    text +=
-        figure(picture, fmt::format("t = {:g} s. Numbers: <a href=\"../profiles/{}.csv\">profiles/{}.csv</a>; picture: "
-                                    "<a href=\"pictures/{}.png\">PNG</a>, <a href=\"pictures/{}.gp\">script</a>.",
-                                    timed.time, name, name, name, name));
+    text += figure(picture,
+                   fmt::format("t = {:g} s. Numbers: <a href=\"../profiles/{}.csv\">profiles/{}.csv</a>; picture: "
+                               "<a href=\"pictures/{}.png\">PNG</a>, <a href=\"pictures/{}.gp\">script</a>.",
+                               timed.time, name, name, name, name),
+                   id);
   }
   return text;
 }
@@ -179,7 +216,8 @@ std::string errors(const ReportInput& input) {
     note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
     text += "<p>" + escape(note) + ".</p>\n";
   }
-  const std::vector<CurveError>& all = input.comparison.errors;
+  std::vector<CurveError> all = input.comparison.errors;
+  std::erase_if(all, [](const CurveError& error) { return !error.line.empty(); });  // in errors.csv only
   if (all.empty()) return text + "<p>There was nothing to compare the run with.</p>\n";
 
   std::vector<double> times;
@@ -235,14 +273,17 @@ std::string errors(const ReportInput& input) {
     last_row = pair;
     full.push_back({title_of(e.curve), fmt::format("{:g}", e.time), millimetres(e.rmse), percent(e.normalised_rmse),
                     signed_millimetres(e.bias), signed_millimetres(e.largest_error),
-                    html::typeset(fmt::format("{:.3f}", e.largest_error_at)), fmt::format("{}", e.points),
+                    html::typeset(fmt::format("{:.3f}", e.largest_error_at)),
+                    std::isnan(e.brier_skill) ? "–" : html::typeset(fmt::format("{:.2f}", e.brier_skill)),
+                    fmt::format("{}", e.points),
                     html::typeset(fmt::format("{:.3f}", e.from)) + " … " + html::typeset(fmt::format("{:.3f}", e.to))});
   }
   text += "<h3>In full</h3>\n" + html::table({"curve", "t [s]", "RMSE [mm]", "of range", "bias [mm]", "largest [mm]",
-                                              "at x [m]", "points", "common range [m]"},
-                                             full, "lrrrrrrrr", "long wide");
+                                              "at x [m]", "skill", "points", "common range [m]"},
+                                             full, "lrrrrrrrrr", "long wide");
   text += fmt::format("<p class=\"small\">{}. Numbers: <a href=\"errors.csv\">report/errors.csv</a>.</p>\n",
                       escape(comparison_method));
+  text += extremes(input);
   if (!input.comparison.remarks.empty()) {
     text += "<ul class=\"small\">\n";
     for (const std::string& remark : input.comparison.remarks) text += "<li>" + escape(remark) + "</li>\n";
@@ -274,14 +315,14 @@ std::string front_and_energies(const ReportInput& input, const std::filesystem::
 std::string particles(const ReportInput& input, const std::filesystem::path& pictures) {
   const std::string picture = html::inline_png(pictures / "particles.png", "Particles at the last time");
   return "<h2>The particles</h2>\n" +
-         figure(
-             picture,
-             fmt::format("The particles at t = {:g} s{}, heights not exaggerated: above what they are, below how fast "
-                         "they are. Open <code>snapshots.pvd</code> in ParaView for all times.",
-                         input.extraction.last_time,
-                         input.resolved.info.dimension == 3
-                             ? fmt::format(", in the plane y = {:g} m", input.extraction.plane_y)
-                             : ""));
+         figure(picture,
+                fmt::format("The particles at t = {:g} s{}, heights not exaggerated: what they are, how fast they "
+                            "are, and their pressure (sediment at rest keeps the one it stopped with). Open "
+                            "<code>snapshots.pvd</code> in ParaView for all times.",
+                            input.extraction.last_time,
+                            input.resolved.info.dimension == 3
+                                ? fmt::format(", in the plane y = {:g} m", input.extraction.plane_y)
+                                : ""));
 }
 
 }  // namespace thalweg::report_sections

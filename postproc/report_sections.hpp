@@ -2,21 +2,46 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "postproc/figures.hpp"
 #include "postproc/report.hpp"
+#include "postproc/scene3d.hpp"
 
-/// The parts of the report's page, each a piece of HTML.
 namespace thalweg::report_sections {
+
+/// Writes the gnuplot scripts of methods() and their data: bands between fine and coarse meshes, speed against error.
+std::vector<std::filesystem::path> method_scripts(const std::vector<Method>& methods, const ProfileSet& particles,
+                                                  const PictureFrame& frame, const RunFolder& run);
+
+// The parts of the report's page, each a piece of HTML.
 
 std::string heading(const ReportInput& input);
 std::string at_a_glance(const ReportInput& input);
+std::string scene(const ReportInput& input, const std::filesystem::path& pictures);
+std::string earlier_scenes(const ReportInput& input);
+std::string which_is_which(const ReportInput& input);
 std::string profiles(const ReportInput& input, const std::filesystem::path& pictures);
 std::string errors(const ReportInput& input);
 std::string front_and_energies(const ReportInput& input, const std::filesystem::path& pictures);
 std::string particles(const ReportInput& input, const std::filesystem::path& pictures);
+std::string space_time(const ReportInput& input, const std::filesystem::path& pictures);
+std::string methods(const ReportInput& input, const std::filesystem::path& pictures);
 std::string run_numbers(const ReportInput& input);
 std::string model(const ReportInput& input);
 std::string remarks(const ReportInput& input);
 std::string provenance(const ReportInput& input);
+
+/// The 3-D view with its slider, or nothing.
+std::string space_view(const SpaceScene& scene);
+
+/// The curves of the profile pictures as data, and the script that shows them under the pointer.
+std::string hover(const ReportInput& input);
+
+/// A picture with its caption, or the reason why there is none.
+std::string figure(const std::string& picture, const std::string& caption, const std::string& id = "");
+
+/// The id of the picture with the profiles of a time: "t0_250".
+std::string id_of_profile(double time);
 
 }  // namespace thalweg::report_sections

@@ -50,10 +50,20 @@ sup { font-size: 0.7em; line-height: 0; }
 .warnings { border-left: 3px solid var(--warn); padding: 2px 0 2px 14px; margin: 12px 0; }
 .warnings li { margin: 3px 0; } ul { padding-left: 18px; margin: 6px 0; }
 code { font: 12.5px "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
+.overview td:first-child { width: 60px; } figure svg.sample, svg.sample { width: 46px; vertical-align: middle; } .overview th { white-space: normal; max-width: 7em; }
+.hover { position: relative; } .hover svg { cursor: crosshair; touch-action: pan-y; }
+.hair { position: absolute; width: 0; border-left: 1px solid #777; pointer-events: none; }
+.values { position: absolute; z-index: 2; background: rgba(255,255,255,.94); border: 1px solid var(--rule); padding: 5px 9px; pointer-events: none;
+  font: 12px/1.35 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; box-shadow: 0 1px 5px rgba(0,0,0,.14); }
+.values table { margin: 2px 0 0; border: 0; font-size: 12px; } .values td, .values th { padding: 1px 10px 1px 0; border: 0; font-size: 12px; }
+#scene .canvas { height: 480px; overflow: hidden; border: 1px solid var(--rule); } #scene .canvas canvas { touch-action: none; }
+.controls { display: flex; gap: 12px; align-items: center; font: 13px "Helvetica Neue", Helvetica, Arial, sans-serif; padding: 6px 0; }
+.controls input[type=range] { flex: 1; } .controls output { min-width: 6em; }
+.scale i { display: inline-block; width: 110px; height: 10px; vertical-align: baseline; background: linear-gradient(90deg, #005951, #59b5ab, #decca8, #bf822e, #543005); }
 .missing { border: 1px dashed var(--rule); color: var(--soft); padding: 18px; font-size: 14px; }
-@media (max-width: 760px) { .tiles { grid-template-columns: repeat(3, 1fr); } .pair { grid-template-columns: 1fr; } }
+@media screen and (max-width: 760px) { .tiles { grid-template-columns: repeat(3, 1fr); } .pair { grid-template-columns: 1fr; } }
 @page { size: A4; margin: 16mm 15mm; }
-@media print { body { max-width: none; padding: 0; font-size: 10.5pt; } h1 { font-size: 19pt; } h2 { font-size: 13pt; margin-top: 22pt; break-after: avoid; } h3 { break-after: avoid; }
+@media print { .hair, .values, .controls { display: none !important; } body { max-width: none; padding: 0; font-size: 10.5pt; } h1 { font-size: 19pt; } h2 { font-size: 13pt; margin-top: 22pt; break-after: avoid; } h3 { break-after: avoid; }
   .lead { font-size: 11pt; } table { font-size: 9pt; } .tile .v { font-size: 14pt; } a { color: inherit; } }
 )css";
 

@@ -1,6 +1,7 @@
 #include "solver/run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -114,13 +115,15 @@ class Run {
         clock_{start.info.time, start.info.step},
         simulation_(make_simulation({make_scene(c, start), &start, options.threads, options.profile, make_motions(c)},
                                     options.backend, options.instruction_set)),
-        output_({options.folder}, info(start), clock_),
+        output_({options.folder}, info(start), clock_, c.gauges.empty() ? std::string() : gauge_heading_line(c)),
         snapshot_times_(snapshot_times(c)),
+        gauge_interval_(c.output.gauge_interval > 0 ? c.output.gauge_interval : c.output.end / 1000),
         history_interval_(c.output.history_interval > 0 ? c.output.history_interval : c.output.end / 100),
         progress_(c.output.end, clock_.time) {
     const SimulationFacts facts = simulation_->facts();
     spdlog::info("{}: {} particles, {} of them fluid; {}", c.info.name, facts.particles, facts.fluid_particles,
                  facts.device);
+    next_gauges_ = gauge_time_after(clock_.time);
     counts_.excluded = output_.excluded_before();
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
     if (c.has_sediment()) announce_choices(c);
@@ -146,7 +149,10 @@ class Run {
     last_checkpoint_ = wall_start_;
     std::size_t next = 0;
     while (next < snapshot_times_.size() && snapshot_times_[next] <= clock_.time + time_resolution()) ++next;
-    if (clock_.step == 0) write_snapshot();
+    if (clock_.step == 0) {
+      write_snapshot();
+      if (!case_.gauges.empty()) read_gauges_now();
+    }
     while (next < snapshot_times_.size()) {
       step(snapshot_times_[next] - clock_.time);
       if (snapshot_times_[next] - clock_.time <= time_resolution()) {
@@ -165,6 +171,13 @@ class Run {
 
  private:
   [[nodiscard]] double time_resolution() const { return 1e-9 * case_.output.end; }
+
+  /// A time that misses a multiple of the interval by the rounding of a sum of steps counts as that multiple, so that a
+  /// continued run reads its gauges when the run without a break does.
+  static constexpr double gauge_rounding = 1e-6;
+  [[nodiscard]] double gauge_time_after(double time) const {
+    return (std::floor(time / gauge_interval_ + gauge_rounding) + 1) * gauge_interval_;
+  }
 
   ParticleFileInfo info(const ParticleSet& start) const {
     ParticleFileInfo i = start.info;
@@ -188,6 +201,10 @@ class Run {
       if (clock_.step == 1 || clock_.time >= next_history_) {
         output_.history(simulation_->totals(), report, clock_, counts_);
         next_history_ = (std::floor(clock_.time / history_interval_) + 1) * history_interval_;
+      }
+      if (!case_.gauges.empty() && clock_.time >= next_gauges_ - gauge_rounding * gauge_interval_) {
+        read_gauges_now();
+        next_gauges_ = gauge_time_after(clock_.time);
       }
       constexpr double checkpoint_seconds = 120;
       if (seconds_now() - last_checkpoint_ > checkpoint_seconds) write_checkpoint();
@@ -231,6 +248,15 @@ class Run {
 
   void write_snapshot() {
     simulation_->timing().time(Heading::output, [&] { output_.snapshot(*simulation_, clock_); });
+  }
+
+  /// Gauges are read from the host's copy of the particles, whatever device computes them.
+  void read_gauges_now() {
+    const GaugeRow row = output_.gauges(*simulation_, case_, clock_);
+    if (row.notes.empty() || told_of_gauges_) return;
+    spdlog::warn("gauges without a value at t = {:.4g} s: {}; their cells in {} are empty, and say so in the note",
+                 clock_.time, fmt::join(row.notes, "; "), output_.folder().gauges().string());
+    told_of_gauges_ = true;
   }
 
   void write_checkpoint() {
@@ -302,13 +328,16 @@ class Run {
   std::unique_ptr<Simulation> simulation_;
   RunOutput output_;
   std::vector<double> snapshot_times_;
+  double gauge_interval_;
   double history_interval_;
   Progress progress_;
   RunCounts counts_;
   std::int64_t initial_fluid_ = 0;
   bool told_of_cap_ = false;
+  bool told_of_gauges_ = false;
   bool told_of_sweeps_ = false;
   double next_history_ = 0;
+  double next_gauges_ = 0;
   double wall_start_ = 0;
   double cpu_start_ = 0;
   double last_checkpoint_ = 0;

@@ -20,16 +20,17 @@ constexpr const char* history_header =
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
-/// Rewrites a table of ours whose first column is time, with the rows up to `keep_until` of what stands there, and
-/// opens it for more; `rows` is how many.
-std::ofstream reopen_table(const std::filesystem::path& file, const char* header, double keep_until,
+/// Rewrites a table of ours whose first column is time, with the rows up to `keep_until` of what stands there under the
+/// same heading, and opens it for more; `rows` is how many.
+std::ofstream reopen_table(const std::filesystem::path& file, const std::string& header, double keep_until,
                            std::int64_t& rows) {
   std::vector<std::string> kept;
   if (keep_until > 0) {
     std::ifstream old(file);
     std::string line;
     std::getline(old, line);
-    while (std::getline(old, line)) {
+    const bool same = line == header;
+    while (same && std::getline(old, line)) {
       char* end = nullptr;
       const double time = std::strtod(line.c_str(), &end);
       if (end != line.c_str() && time <= keep_until) kept.push_back(line);
@@ -52,7 +53,7 @@ void flush_row(std::ofstream& table, const std::filesystem::path& file) {
 
 }  // namespace
 
-RunOutput::RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& start)
+RunOutput::RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& start, const std::string& gauge_heading)
     : folder_(std::move(folder)), info_(std::move(info)) {
   std::error_code ignored;
   std::filesystem::create_directories(folder_.snapshots(), ignored);
@@ -68,6 +69,12 @@ RunOutput::RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& st
   std::int64_t history_rows = 0;
   history_ = reopen_table(folder_.history(), history_header, start.time, history_rows);
   excluded_ = reopen_table(folder_.excluded(), excluded_header, start.time, excluded_before_);
+  if (gauge_heading.empty()) {
+    std::filesystem::remove(folder_.gauges(), ignored);
+  } else {
+    std::int64_t gauge_rows = 0;
+    gauges_ = reopen_table(folder_.gauges(), gauge_heading, start.time, gauge_rows);
+  }
 }
 
 ParticleFileInfo RunOutput::info_at(const RunClock& clock) const {
@@ -99,6 +106,15 @@ void RunOutput::history(const Totals& t, const StepReport& report, const RunCloc
              report.pressure_sweeps);
   fmt::print(history_, "{:.4g},{:.4g},{:.4g}\n", share(t.resting), share(t.bed_load), share(t.suspended));
   flush_row(history_, folder_.history());
+}
+
+GaugeRow RunOutput::gauges(Simulation& simulation, const Case& of, const RunClock& clock) {
+  ParticleSet particles = simulation.snapshot();
+  particles.info = info_at(clock);
+  GaugeRow row = read_gauges(of, particles);
+  gauges_ << gauge_line(clock.time, row) << '\n';
+  flush_row(gauges_, folder_.gauges());
+  return row;
 }
 
 void RunOutput::checkpoint(Simulation& simulation, const RunClock& clock) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/extraction/gauges.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
 #include "solver/background_task.hpp"
@@ -35,11 +36,13 @@ struct RunCounts {
 class RunOutput {
  public:
   /// `start` tells a fresh run (time 0: older results are replaced) from a continued one (rows and snapshots up to that
-  /// time are kept).
-  RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& start);
+  /// time are kept). `gauge_heading` is the heading of gauges.csv; without one there is no such file.
+  RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& start, const std::string& gauge_heading = {});
 
   void snapshot(Simulation& simulation, const RunClock& clock);
   void history(const Totals& totals, const StepReport& report, const RunClock& clock, const RunCounts& counts);
+  /// Reads the case's gauges off the particles as they are; returns the row as written.
+  GaugeRow gauges(Simulation& simulation, const Case& of, const RunClock& clock);
   void checkpoint(Simulation& simulation, const RunClock& clock);
   void exclude(const std::vector<ExcludedParticle>& particles, const RunClock& clock);
   void finish(Simulation& simulation, const RunClock& clock, const RunCounts& counts);
@@ -59,6 +62,7 @@ class RunOutput {
   std::vector<SeriesEntry> series_;
   std::ofstream history_;
   std::ofstream excluded_;
+  std::ofstream gauges_;
   std::int64_t excluded_before_ = 0;
   BackgroundTask writing_;
 };

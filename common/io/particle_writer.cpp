@@ -2,25 +2,19 @@
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
-#include <vtkErrorCode.h>
-#include <vtkExecutive.h>
-#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <numeric>
 
 #include "common/error.hpp"
 #include "common/io/particle_names.hpp"
-#include "common/io/vtk_errors.hpp"
-#include "common/whole_file.hpp"
+#include "common/io/poly_data_file.hpp"
 
 namespace thalweg {
 namespace {
@@ -56,7 +50,7 @@ class Writer {
     array(particle_names::normal, p.normal.empty() ? nullptr : p.normal.front().data(), p.normal.size() * 3, 3);
     for (const auto& [name, values] : p.scalars) further(name, values);
     for (const auto& [name, values] : p.doubles) further(name, values);
-    facts();
+    add_facts(data_, particles_.info);
     return data_;
   }
 
@@ -118,36 +112,10 @@ class Writer {
     const bool constant = !mass.empty() && mass.size() == particles_.size() &&
                           std::all_of(mass.begin(), mass.end(), [&](float value) { return value == mass.front(); });
     if (constant) {
-      fact(particle_names::mass, mass.front());
+      add_fact(data_, particle_names::mass, mass.front());
     } else {
       array(particle_names::mass, mass.data(), mass.size(), 1);
     }
-  }
-
-  template <class T>
-  void fact(const char* name, T value) {
-    vtkNew<vtkAOSDataArrayTemplate<T>> one;
-    one->SetName(name);
-    one->InsertNextValue(value);
-    data_->GetFieldData()->AddArray(one);
-  }
-  void fact(const char* name, const std::string& value) {
-    vtkNew<vtkStringArray> one;
-    one->SetName(name);
-    one->InsertNextValue(value);
-    data_->GetFieldData()->AddArray(one);
-  }
-
-  void facts() {
-    const ParticleFileInfo& info = particles_.info;
-    fact(particle_names::time, info.time);
-    fact<vtkTypeInt64>(particle_names::step, info.step);
-    fact<int>(particle_names::dimension, info.dimension);
-    fact(particle_names::spacing, info.spacing);
-    fact(particle_names::smoothing, info.smoothing_length);
-    fact(particle_names::case_name, info.case_name);
-    fact(particle_names::version, info.code_version);
-    fact(particle_names::hash, info.case_hash);
   }
 
   const fs::path& file_;
@@ -161,26 +129,7 @@ class Writer {
 void write_particles(const fs::path& file, const ParticleSet& particles, PositionPrecision precision) {
   Writer contents(file, particles);
   const vtkSmartPointer<vtkPolyData> data = contents.poly_data(precision);
-  write_whole_file(file, [&](const fs::path& temporary) {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    vtkNew<VtkErrors> errors;
-    writer->AddObserver(vtkCommand::ErrorEvent, errors);
-    writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
-    writer->SetInputData(data);
-    writer->SetFileName(temporary.c_str());
-    // Appended raw data would be a quarter smaller, but since the expat of Debian 12.12 ParaView 5.11 cannot open them.
-    writer->SetDataModeToBinary();
-    writer->SetCompressorTypeToZLib();
-    writer->SetCompressionLevel(1);  // higher levels cost several times the time for a few per cent of size
-    writer->SetHeaderTypeToUInt64();
-    if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError || errors->any()) {
-      const std::string cause = writer->GetErrorCode() != vtkErrorCode::NoError
-                                    ? vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())
-                                    : errors->first();
-      throw RunError(file.string() + ": cannot be written: " + cause +
-                     "; check the folder's permissions and free space");
-    }
-  });
+  write_poly_data(file, data);
 }
 
 }  // namespace thalweg

@@ -138,10 +138,9 @@ TEST(Refusal, KindTheMeshModelDoesNotHave) {
   scene.shapes.push_back(box("pier", ShapeRole::wall, Vec3(0.2, 0, 0), Vec3(0.21, 0, 0.1)));
   scene.shapes.back().kind = ShapeKind::mesh;
   scene.shapes.back().line = 40;
-  EXPECT_EQ(
-      refusal(scene),
-      "tank/case.toml:40: shape \"pier\" is of a kind the mesh model does not have (it takes box, cylinder, sphere "
-      "and their combinations); run this case with --no-foam");
+  EXPECT_EQ(refusal(scene),
+            "tank/case.toml:40: the mesh model takes a mesh as a solid wall in 3-D only, from an STL or OBJ file and "
+            "not turned (\"pier\"); run this case with --no-foam");
 }
 
 TEST(Refusal, FluidOutsideTheContainer) {
@@ -217,6 +216,19 @@ TEST(WriteInterval, RefusesATimeAfterTheEnd) {
   scene.compare.times = {0.2};
   EXPECT_EQ(message_of<InputError>([&] { write_interval(scene); }),
             "tank/case.toml: compare.times holds 0.2 s, after output.end = 0.1 s; take it out or run longer");
+}
+
+// A level up to 0.08 m and a layer of 0.03 m fill the container's floor, 0.4 m long.
+TEST(Contents, LevelsAndLayersFillTheContainer) {
+  Case scene = still_tank();
+  scene.shapes[1].kind = ShapeKind::layer;
+  scene.shapes[1].thickness = 0.03;
+  scene.shapes[2].kind = ShapeKind::level;
+  scene.shapes[2].level = 0.08;
+  std::swap(scene.shapes[1], scene.shapes[2]);
+  const SceneContents contents = make_foam_case(scene, 1).contents;
+  EXPECT_NEAR(contents.sediment_volume, 0.4 * 0.03, 1e-9);
+  EXPECT_NEAR(contents.water_volume, 0.4 * 0.05, 1e-9);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The written case in the real OpenFOAM; skipped, visibly, where that is not installed.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/profile.hpp"
+#include "foam_reference/all_models.hpp"
 #include "foam_reference/reference_run.hpp"
 #include "tests/foam_reference/small_scene.hpp"
 #include "tests/foam_reference/temporary_folder.hpp"
@@ -191,6 +193,61 @@ TEST_F(OpenFoamTest, ComputesInThreeDimensions) {
   EXPECT_NEAR(summary("sediment_volume_start"), 0.4 * 0.1 * 0.05, 1e-9);
   const Profile profile = read_profile(folder_.path() / "profiles" / profile_file_name(0.02));
   EXPECT_THAT(profile.bed, testing::Each(testing::DoubleNear(0.05, 2.5e-3)));
+}
+
+// Without the library the stock model takes the place of both, once, and a line says so.
+TEST_F(OpenFoamTest, RunsTheStockModelWithoutTheLibrary) {
+  setenv("THALWEG_FOAM_LIBRARY", folder_.path().c_str(), 1);  // which holds none
+  testing::internal::CaptureStderr();
+  run_models(at_start(still_tank()), RunFolder{folder_.path()}, {});
+  unsetenv("THALWEG_FOAM_LIBRARY");
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, testing::HasSubstr("without libthalwegFoam there is the stock model only"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "foam/stock/summary.csv"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "foam/stock-2x/summary.csv"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "foam/same-material"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "foam/eroding-bed"));
+}
+
+// A closed box of triangles, in millimetres.
+std::string box_surface(const Vec3& low, const Vec3& high) {
+  const auto corner = [&](int bits) {
+    return fmt::format("vertex {} {} {}\n", (bits & 1) != 0 ? high.x() : low.x(), (bits & 2) != 0 ? high.y() : low.y(),
+                       (bits & 4) != 0 ? high.z() : low.z());
+  };
+  std::string text = "solid box\n";
+  constexpr int quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  for (const auto& quad : quads) {
+    for (const int third : {2, 3}) {
+      text += "facet normal 0 0 0\nouter loop\n" + corner(quad[0]) + corner(quad[third - 1]) + corner(quad[third]) +
+              "endloop\nendfacet\n";
+    }
+  }
+  return text + "endsolid box\n";
+}
+
+// A block of 0.1 m x 0.05 m through all of the height, from a file in millimetres and moved: 4 x 2 columns of cells.
+TEST_F(OpenFoamTest, TakesASurfaceMeshOutOfTheMesh) {
+  Case scene = still_tank();
+  scene.info.dimension = 3;
+  for (Shape& shape : scene.shapes) shape.to.y() = 0.1;
+  scene.foam.cell = 0.025;
+  scene.folder = folder_.path();
+  folder_.write("block.stl", box_surface(Vec3(0, 25, -50), Vec3(100, 75, 300)));
+  Shape block;
+  block.name = "block";
+  block.kind = ShapeKind::mesh;
+  block.role = ShapeRole::wall;
+  block.file = "block.stl";
+  block.scale = 0.001;
+  block.move = {0.1, 0, 0};
+  scene.shapes.insert(scene.shapes.begin() + 1, block);
+  scene.output.end = 0.01;
+  scene.compare.times = {0.01};
+  run(scene);
+  EXPECT_EQ(summary("cells"), (16 * 4 - 4 * 2) * 6);
+  EXPECT_NEAR(summary("sediment_volume_start"), (0.4 * 0.1 - 0.1 * 0.05) * 0.05, 1e-9);
+  EXPECT_LT(std::abs(summary("water_volume_error")), 1e-4);
 }
 
 }  // namespace

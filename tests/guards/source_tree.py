@@ -7,9 +7,10 @@ import sys
 ROOMS = ("common", "gencase", "solver", "postproc", "foam_reference", "tests", "bench")
 HEADERS = (".hpp", ".cuh")
 UNITS = (".cpp", ".cu")
+FOAM = (".H", ".C")  # what wmake compiles, in OpenFOAM's own suffixes
 
 
-def sources(root, suffixes=HEADERS + UNITS, rooms=ROOMS):
+def sources(root, suffixes=HEADERS + UNITS + FOAM, rooms=ROOMS):
     """C++ and CUDA files of the rooms, in a fixed order, whether git knows them yet or not."""
     root = pathlib.Path(root)
     return sorted(path for room in rooms for path in (root / room).rglob("*") if path.suffix in suffixes)

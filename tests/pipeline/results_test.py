@@ -154,9 +154,42 @@ class ParticleProfiles(Profiles, unittest.TestCase):
     resolution = 1.5 * case.SPACING
 
 
-class MeshProfiles(Profiles, unittest.TestCase):
-    folder = run / "foam" / "profiles"
+class MeshProfiles(Profiles):
     resolution = case.CELL
+
+
+def mesh_models():
+    """Both models of our own, or where the library for them cannot be had the stock one, on one of the meshes."""
+    return sorted(path.name for path in (run / "foam").iterdir() if not path.name.endswith("x"))
+
+
+for model in mesh_models():
+    globals()[f"MeshProfiles_{model}"] = type(f"MeshProfiles_{model}", (MeshProfiles, unittest.TestCase),
+                                              {"folder": run / "foam" / model / "profiles"})
+
+
+class MeshModels(unittest.TestCase):
+    def test_both_of_our_own_ran_or_the_stock_one(self):
+        self.assertIn(mesh_models(), (["eroding-bed", "same-material"], ["stock"]))
+
+    def test_each_has_a_coarser_mesh_and_keeps_its_volumes(self):
+        for model in mesh_models():
+            for folder in (model, model + "-2x"):
+                summary = {row["quantity"]: row["value"] for row in case.table(run / "foam" / folder / "summary.csv")}
+                self.assertLess(abs(summary["water_volume_error"]), 1e-4, folder)
+                self.assertLess(abs(summary.get("sediment_volume_error", 0)), 1e-4, folder)
+                self.assertLess(abs(summary.get("grains_volume_error", 0)), 1e-6, folder)
+
+    def test_both_methods_say_what_they_cost(self):
+        rows = case.table(run / "report" / "cost.csv")
+        methods = {row["method"] for row in rows}
+        self.assertEqual(methods, {"particles", *mesh_models()})
+        for method in methods:
+            finest, coarser = sorted((row for row in rows if row["method"] == method),
+                                     key=lambda row: row["resolution [m]"])
+            self.assertIsNone(finest["error_bed [m]"])
+            self.assertGreater(coarser["error_bed [m]"], 0)
+            self.assertGreater(finest["cpu [s]"], coarser["cpu [s]"])
 
 
 class Report(unittest.TestCase):

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/csv.hpp"
 #include "common/error.hpp"
 #include "postproc/bed_change.hpp"
 #include "postproc/html.hpp"
@@ -20,7 +21,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double gap = Profile::missing;
 
 ProfileSet set_of(const std::string& label, SourceKind kind, const std::vector<std::pair<double, Profile>>& profiles) {
@@ -42,7 +42,7 @@ TEST(Compare, GivesTheNormsWorkedByHand) {
       set_of("measured", SourceKind::measured, {{0.25, bed_profile({1, 2, 3}, {0.1 - 0.1, 0.2 + 0.2, 0.3 - 0.4})}});
   const ProfileSet run =
       set_of("run", SourceKind::run, {{0.25, bed_profile({0.5, 1.5, 2.5, 3.5}, {0.05, 0.15, 0.25, 0.35})}});
-  const Comparison result = compare(measured, run, -infinite, infinite);
+  const Comparison result = compare(measured, run, {});
   ASSERT_EQ(result.errors.size(), 1U);
   const CurveError& error = result.errors.front();
   EXPECT_EQ(error.curve, "bed");
@@ -62,12 +62,12 @@ TEST(Compare, DoesNotReachBeyondEndsAcrossGapsOrOutsideTheRange) {
   const ProfileSet compared =
       set_of("b", SourceKind::run, {{1, bed_profile({0.5, 1.5, 2.5, 4, 4.5}, {1, gap, 1, 1, 1})}});
   // x = 0 and 5 lie beyond the ends, 1 and 2 beside the gap of b, 3 is missing in a: only 4 is left.
-  const Comparison result = compare(reference, compared, -infinite, infinite);
+  const Comparison result = compare(reference, compared, {});
   ASSERT_EQ(result.errors.size(), 1U);
   EXPECT_EQ(result.errors.front().points, 1U);
   EXPECT_DOUBLE_EQ(result.errors.front().from, 4);
   EXPECT_TRUE(std::isnan(result.errors.front().normalised_rmse));  // one level point has no range
-  const Comparison outside = compare(reference, compared, 0, 3.5);
+  const Comparison outside = compare(reference, compared, {0, 3.5, 0});
   EXPECT_THAT(outside.errors, IsEmpty());
   EXPECT_THAT(outside.remarks, Contains(HasSubstr("no common points of bed at 1 s")));
 }
@@ -78,7 +78,7 @@ TEST(Compare, NamesColumnsAndTimesOnlyOneSourceHas) {
   const ProfileSet run = set_of("run", SourceKind::run, {{0.25, full}, {0.5, full}});
   const ProfileSet measured = set_of("measured", SourceKind::measured,
                                      {{0.2503, bed_profile({0, 1}, {0, 0.1})}, {0.75, bed_profile({0, 1}, {0, 0})}});
-  const Comparison result = compare_all({run, measured}, -infinite, infinite);
+  const Comparison result = compare_all({run, measured}, {});
   ASSERT_EQ(result.errors.size(), 1U);  // 0.2503 s is 0.25 s
   EXPECT_EQ(result.errors.front().reference, "measured");
   EXPECT_EQ(result.errors.front().compared, "run");
@@ -87,6 +87,70 @@ TEST(Compare, NamesColumnsAndTimesOnlyOneSourceHas) {
   EXPECT_THAT(result.remarks, Contains(HasSubstr("only measured has a profile at 0.75 s")));
   EXPECT_THAT(result.remarks, testing::Not(Contains(HasSubstr("moving_bed"))));  // neither has it: nothing is lacking
   EXPECT_THAT(table_of(result), HasSubstr("run against measured"));
+}
+
+// The bed falls by 2, 2, 2 where it was 0; the model says 1, 2, 3: 1 - (1 + 0 + 1)/(4 + 4 + 4).
+TEST(Compare, ScoresTheBedsChangeAgainstOneThatStays) {
+  ProfileSet measured = set_of("measured", SourceKind::measured, {{1, bed_profile({1, 2, 3}, {-2, -2, -2})}});
+  ProfileSet run = set_of("run", SourceKind::run, {{1, bed_profile({1, 2, 3}, {-1, -2, -3})}});
+  const Comparison unknown = compare(measured, run, {});
+  EXPECT_TRUE(std::isnan(unknown.errors.front().brier_skill));
+  EXPECT_THAT(unknown.remarks, Contains(HasSubstr("no Brier skill score")));
+
+  run.initial = TimedProfile{0, {}, bed_profile({0, 4}, {0, 0})};
+  const Comparison result = compare(measured, run, {});
+  EXPECT_NEAR(result.errors.front().brier_skill, 1 - 2.0 / 12, 1e-12);
+  EXPECT_THAT(result.remarks, Contains(HasSubstr("measured has no bed at 0 s; its change counts from that of run")));
+  ASSERT_EQ(result.scalars.size(), 3U);  // neither has a free surface, hence no front
+  EXPECT_EQ(result.scalars[0].quantity, "scour");
+  EXPECT_DOUBLE_EQ(result.scalars[0].reference_value, 2);
+  EXPECT_DOUBLE_EQ(result.scalars[0].compared_value, 3);
+  EXPECT_DOUBLE_EQ(result.scalars[1].compared_value, 3);  // its place
+
+  measured.initial = TimedProfile{0, {}, bed_profile({1, 3}, {-2, -2})};  // nothing changed: there is no score
+  EXPECT_TRUE(std::isnan(compare(measured, run, {}).errors.front().brier_skill));
+}
+
+// Three runs at 0, 1 and 3: pairs differ by 1, 3 and 2.
+TEST(Compare, PutsTheScatterOfRepeatedRunsBesideTheErrors) {
+  std::vector<ProfileSet> repeated;
+  for (const double level : {0.0, 1.0, 3.0}) {
+    repeated.push_back(set_of("run", SourceKind::run, {{1, bed_profile({1, 2}, {level, level})}}));
+  }
+  const std::vector<Scatter> scatter = scatter_of(repeated);
+  ASSERT_EQ(scatter.size(), 1U);
+  EXPECT_NEAR(scatter[0].rms, std::sqrt((1 + 9 + 4) / 3.0), 1e-12);
+  const ProfileSet measured = set_of("measured", SourceKind::measured, {{1, bed_profile({1, 2}, {0, 0})}});
+  Comparison result = compare_all({repeated.front(), measured}, {});
+  add_scatter(result, "run", scatter);
+  EXPECT_EQ(result.errors.front().scatter, scatter[0].rms);
+  EXPECT_EQ(result.errors.front().scatter_runs, 3);
+  EXPECT_THAT(scatter_of({measured}), IsEmpty());
+}
+
+TEST(Compare, TakesFrontsFromTheProfilesAndNamesAMissingOneByAnEmptyCell) {
+  const TemporaryFolder folder("fronts");
+  Profile pool;
+  pool.x = {0, 1, 2, 3};
+  pool.bed = {0, 0, 0, 0};
+  pool.free_surface = {1, 1, 0, 0};  // falls below a depth of 0.5 half-way between 1 and 2
+  Profile open_end = pool;
+  open_end.x = {0, 1};
+  open_end.bed.resize(2);
+  open_end.free_surface.resize(2);  // a measurement that ends while it is wet
+  const ProfileSet run = set_of("run", SourceKind::run, {{1, pool}});
+  const ProfileSet measured = set_of("measured", SourceKind::measured, {{1, open_end}});
+  ComparedRange range;
+  range.least_depth = 0.5;
+  const Comparison result = compare(measured, run, range);
+  ASSERT_EQ(result.scalars.size(), 1U);
+  EXPECT_TRUE(std::isnan(result.scalars[0].reference_value));
+  EXPECT_DOUBLE_EQ(result.scalars[0].compared_value, 1.5);
+  write_errors(folder.path(), result);
+  const CsvTable scalars = CsvTable::read(folder.path() / "scalars.csv");
+  EXPECT_EQ(scalars.texts("reference_value").front(), "");
+  EXPECT_EQ(scalars.texts("error").front(), "");
+  EXPECT_EQ(scalars.texts("compared_value").front(), "1.5");
 }
 
 TEST(ReadNamedSets, ReadsFilesFoldersAndRunsUnderTheirLabels) {

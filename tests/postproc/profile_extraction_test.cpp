@@ -1,4 +1,4 @@
-#include "postproc/profile_extraction.hpp"
+#include "common/extraction/profile_extraction.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

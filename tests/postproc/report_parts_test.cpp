@@ -11,6 +11,7 @@
 #include "postproc/figures.hpp"
 #include "postproc/gnuplot.hpp"
 #include "postproc/run_records.hpp"
+#include "postproc/snapshot_measures.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
 namespace thalweg {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/extraction/profile_extraction.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
 #include "postproc/comparison.hpp"
-#include "postproc/profile_extraction.hpp"
 
 namespace thalweg::test {
 namespace {

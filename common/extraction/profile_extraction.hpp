@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/extraction/bodies.hpp"
 #include "common/particles.hpp"
 #include "common/profile.hpp"
 
@@ -16,11 +17,9 @@ struct ExtractionSettings {
   double z_from = -std::numeric_limits<double>::infinity();  // [m] nothing outside is looked at
   double z_to = std::numeric_limits<double>::infinity();     // [m]
   double plane_y = 0;                                        // [m] 3-D: the plane of the profile
-  double rest_speed = 0.01;  // [m/s] slower sediment rests; where there is State, deposits only
+  bool narrow_to_walls = true;  // false: particles around a place, whose walls do not show where the flow ends
+  double rest_speed = 0.01;     // [m/s] slower sediment rests; where there is State, deposits only
 };
-
-/// Layers thinner than this share of the spacing count as absent: half of one layer of particles.
-inline constexpr double least_layer = 0.5;
 
 /// A profile and what it was measured from.
 struct ExtractedProfile {
@@ -45,9 +44,6 @@ struct ExtractedProfile {
 /// has the volume of its lattice cell; without State and Velocity there is no moving bed. Throws InputError when
 /// spacing or smoothing length are missing.
 ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionSettings& settings);
-
-/// Whether a set's State says which sediment rests (some sediment particle has a state).
-bool has_sediment_states(const ParticleSet& particles);
 
 /// What a column without a value says about the water there.
 enum class MissingColumn {

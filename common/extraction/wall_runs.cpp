@@ -1,11 +1,11 @@
-#include "postproc/wall_runs.hpp"
+#include "common/extraction/wall_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "postproc/volume_fraction.hpp"
+#include "common/extraction/volume_fraction.hpp"
 
 namespace thalweg {
 namespace {

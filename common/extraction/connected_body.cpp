@@ -1,4 +1,4 @@
-#include "postproc/connected_body.hpp"
+#include "common/extraction/connected_body.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,12 +16,12 @@ double crossing(double z_full, double full, double z_less, double less) {
 
 }  // namespace
 
-ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<double>& phase)
+ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<float>& phase)
     : sums_(sums), phase_(phase), belongs_(sums.grid.size(), false) {
-  const SliceGrid& grid = sums.grid;
+  const SamplingGrid& grid = sums.grid;
   bool any_wall = false;
   std::vector<std::size_t> members;
-  for (std::size_t i = 0; i < grid.nx; ++i) {
+  for (std::size_t i = 0; i < grid.columns(); ++i) {
     for (std::size_t k = 0; k < grid.nz; ++k) {
       const std::size_t node = grid.node(i, k);
       any_wall = any_wall || sums_.in_wall(node);
@@ -37,15 +37,20 @@ bool ConnectedBody::stands_on_wall(std::size_t column, std::size_t row) const {
 
 // Adds all filled nodes connected to `node`; returns how many, and leaves them in `members`.
 std::size_t ConnectedBody::spread_from(std::size_t node, std::vector<std::size_t>& members) {
-  const SliceGrid& grid = sums_.grid;
+  const SamplingGrid& grid = sums_.grid;
   members.assign(1, node);
   belongs_[node] = true;
   for (std::size_t next = 0; next < members.size(); ++next) {
     const std::size_t column = members[next] / grid.nz;
     const std::size_t row = members[next] % grid.nz;
-    const std::array<std::size_t, 4> neighbours{
-        column > 0 ? members[next] - grid.nz : none, column + 1 < grid.nx ? members[next] + grid.nz : none,
-        row > 0 ? members[next] - 1 : none, row + 1 < grid.nz ? members[next] + 1 : none};
+    const std::size_t j = column % grid.ny;
+    const std::size_t along_x = grid.ny * grid.nz;
+    const std::array<std::size_t, 6> neighbours{column >= grid.ny ? members[next] - along_x : none,
+                                                column + grid.ny < grid.columns() ? members[next] + along_x : none,
+                                                j > 0 ? members[next] - grid.nz : none,
+                                                j + 1 < grid.ny ? members[next] + grid.nz : none,
+                                                row > 0 ? members[next] - 1 : none,
+                                                row + 1 < grid.nz ? members[next] + 1 : none};
     for (const std::size_t neighbour : neighbours) {
       if (neighbour == none || belongs_[neighbour] || !is_filled(neighbour)) continue;
       belongs_[neighbour] = true;
@@ -74,7 +79,7 @@ std::size_t ConnectedBody::highest_row(std::size_t column) const {
 }
 
 double ConnectedBody::top(std::size_t column) const {
-  const SliceGrid& grid = sums_.grid;
+  const SamplingGrid& grid = sums_.grid;
   const std::size_t k = highest_row(column);
   if (k == none) return absent;
   const std::size_t above = grid.node(column, k + 1);
@@ -83,7 +88,7 @@ double ConnectedBody::top(std::size_t column) const {
 }
 
 double ConnectedBody::base(std::size_t column) const {
-  const SliceGrid& grid = sums_.grid;
+  const SamplingGrid& grid = sums_.grid;
   std::size_t k = highest_row(column);
   if (k == none) return absent;
   std::size_t lowest_of_body = k;

@@ -1,0 +1,44 @@
+#include "common/extraction/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thalweg {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+// Height of a phase's body over a column's floor; the floor itself where the body is less than a layer.
+double top_or_floor(const ConnectedBody& body, std::size_t column, double floor, double least_thickness) {
+  const double top = body.top(column);
+  return std::isnan(top) || (!std::isnan(floor) && top - floor < least_thickness) ? floor : top;
+}
+
+}  // namespace
+
+Bodies::Bodies(const VolumeFractions& sums, double spacing, bool has_sediment, bool rest_is_known)
+    : least_thickness(least_layer * spacing), fluid(sums, sums.fluid) {
+  if (has_sediment) sediment.emplace(sums, sums.sediment);
+  if (has_sediment && rest_is_known) resting.emplace(sums, sums.resting);
+}
+
+ColumnLevels Bodies::levels(std::size_t column) const {
+  const double surface = fluid.top(column);
+  const double floor = fluid.base(column);
+  if (!(surface - floor >= least_thickness)) return {absent, absent, absent, floor};
+  // Kernel sums of a part never exceed those of the whole, but rounding at a bare floor may.
+  const double bed = sediment ? std::min(top_or_floor(*sediment, column, floor, least_thickness), surface) : floor;
+  const double motionless = resting ? std::min(top_or_floor(*resting, column, floor, least_thickness), bed) : absent;
+  return {surface, bed, motionless, floor};
+}
+
+bool holds_sediment(const ParticleSet& particles) {
+  return std::find(particles.type.begin(), particles.type.end(), ParticleType::sediment) != particles.type.end();
+}
+
+bool knows_rest(const ParticleSet& particles) {
+  return holds_sediment(particles) && (has_sediment_states(particles) || !particles.velocity.empty());
+}
+
+}  // namespace thalweg

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "common/extraction/volume_fraction.hpp"
+
+namespace thalweg {
+
+/// The nodes where a phase fills more than half and that are connected to the floor along the axes without crossing
+/// a wall. Without any wall on the grid: the nodes of the largest connected body.
+class ConnectedBody {
+ public:
+  ConnectedBody(const VolumeFractions& sums, const std::vector<float>& phase);
+
+  /// Highest crossing of 1/2 of the body in a column [m]; NaN where it has no node there.
+  [[nodiscard]] double top(std::size_t column) const;
+  /// The wall under the body's top in a column [m]; without a wall the body's own lower edge; NaN without body.
+  [[nodiscard]] double base(std::size_t column) const;
+
+  [[nodiscard]] bool belongs(std::size_t node) const { return belongs_[node]; }
+  /// A filled node of some other body: a drop, a floating grain.
+  [[nodiscard]] bool is_apart(std::size_t node) const { return !belongs_[node] && is_filled(node); }
+  /// Fraction of the phase with the walls' part settled (VolumeFractions::with_walls).
+  [[nodiscard]] double fraction(std::size_t node) const { return sums_.with_walls(phase_, node); }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  [[nodiscard]] bool is_filled(std::size_t node) const { return !sums_.in_wall(node) && fraction(node) >= 0.5; }
+  [[nodiscard]] bool stands_on_wall(std::size_t column, std::size_t row) const;
+  [[nodiscard]] std::size_t highest_row(std::size_t column) const;
+  std::size_t spread_from(std::size_t node, std::vector<std::size_t>& members);
+  void keep_largest();
+
+  const VolumeFractions& sums_;
+  const std::vector<float>& phase_;
+  std::vector<bool> belongs_;
+};
+
+}  // namespace thalweg

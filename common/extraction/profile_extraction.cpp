@@ -1,0 +1,91 @@
+#include "common/extraction/profile_extraction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "common/error.hpp"
+#include "common/extraction/bodies.hpp"
+#include "common/extraction/volume_fraction.hpp"
+#include "common/extraction/wall_runs.hpp"
+
+namespace thalweg {
+namespace {
+
+// The plane's grid: over the settings' range, narrowed to the particles, with the kernel's reach around the fluid.
+std::optional<SamplingGrid> grid_around(const ParticleSet& particles, const ExtractionSettings& settings,
+                                        const WallRuns& walls) {
+  const double spacing = particles.info.spacing;
+  const double reach = 2 * particles.info.smoothing_length + spacing;
+  const double infinite = std::numeric_limits<double>::infinity();
+  Vec3 low = Vec3::Constant(infinite);
+  Vec3 high = Vec3::Constant(-infinite);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Vec3& at = particles.position[i];
+    low = low.cwiseMin(at);
+    high.x() = std::max(high.x(), at.x());  // columns without fluid inside the walls are part of the profile
+    if (is_fluid(particles.type[i])) high.z() = std::max(high.z(), at.z());
+  }
+  if (!std::isfinite(high.z())) return std::nullopt;
+  double x_from = std::max(low.x() - spacing, settings.x_from);
+  double x_to = std::min(high.x() + spacing, settings.x_to);
+  if (settings.narrow_to_walls) {
+    x_from = std::max(x_from, walls.open_from);
+    x_to = std::min(x_to, walls.open_to);
+  }
+  const double z_from = std::max(low.z() - reach, settings.z_from);
+  const double z_to = std::min(high.z() + reach, settings.z_to);
+  if (x_from > x_to || z_from > z_to) return std::nullopt;
+  return make_slice_grid(spacing / 2, x_from, x_to, z_from, z_to, settings.plane_y);
+}
+
+}  // namespace
+
+ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionSettings& settings) {
+  const double spacing = particles.info.spacing;
+  if (!(spacing > 0) || !(particles.info.smoothing_length > 0)) {
+    throw InputError("the particle file does not say its spacing and smoothing length; write it with thalweg-solver");
+  }
+  ExtractedProfile result;
+  const bool has_sediment = holds_sediment(particles);
+  const bool has_rest = knows_rest(particles);
+
+  const WallRuns walls = find_wall_runs(particles, spacing);
+  const std::optional<SamplingGrid> found = grid_around(particles, settings, walls);
+  if (!found) return result;
+  const SamplingGrid& grid = *found;
+  const VolumeFractions sums = sum_volume_fractions(particles, parts_of(particles, settings.rest_speed), walls, grid);
+  const Bodies bodies(sums, spacing, has_sediment, has_rest);
+
+  Profile& profile = result.profile;
+  for (std::size_t i = grid.first_x % 2 == 0 ? 0 : 1; i < grid.nx; i += 2) {  // every second node: multiples of dp
+    const ColumnLevels levels = bodies.levels(i);
+    profile.x.push_back(grid.x(i));
+    profile.free_surface.push_back(levels.free_surface);
+    result.floor.push_back(levels.floor);
+    if (has_sediment) profile.bed.push_back(levels.bed);
+    if (has_rest) profile.moving_bed.push_back(levels.motionless_bed);
+  }
+  result.front = water_front(profile, result.floor, bodies.least_thickness);
+  return result;
+}
+
+double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth,
+                   MissingColumn missing) {
+  const std::vector<double>& ground = profile.bed.empty() ? floor : profile.bed;
+  if (profile.free_surface.empty() || ground.size() != profile.x.size()) return Profile::missing;
+  const auto depth = [&](std::size_t i) { return profile.free_surface[i] - ground[i]; };
+  for (std::size_t i = profile.x.size(); i-- > 0;) {
+    if (!(depth(i) > least_depth)) continue;
+    const bool last = i + 1 == profile.x.size();
+    const bool next_is_unknown = last || std::isnan(depth(i + 1));
+    if (next_is_unknown && missing == MissingColumn::unknown) return Profile::missing;
+    if (last) return profile.x[i];
+    const double next = next_is_unknown ? 0 : depth(i + 1);
+    const double share = (depth(i) - least_depth) / (depth(i) - next);
+    return profile.x[i] + share * (profile.x[i + 1] - profile.x[i]);
+  }
+  return Profile::missing;
+}
+
+}  // namespace thalweg

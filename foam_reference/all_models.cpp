@@ -1,0 +1,89 @@
+#include "foam_reference/all_models.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "common/error.hpp"
+#include "foam_reference/foam_library.hpp"
+#include "foam_reference/foam_run.hpp"
+#include "foam_reference/reference_run.hpp"
+
+namespace thalweg::foam {
+namespace {
+
+struct Planned {
+  FoamModel model;
+  int coarsening;  // of the cells
+  FoamCase foam_case;
+};
+
+std::vector<FoamModel> chosen_models(const Case& scene, const ModelOptions& options) {
+  if (options.model.empty()) return models_of(scene);
+  const FoamModel model = model_of(options.model);
+  if (!scene.has_sediment() && model != FoamModel::stock) {
+    throw InputError(fmt::format("{}: a scene without sediment has no model \"{}\"; use --model stock",
+                                 scene.file.string(), options.model));
+  }
+  return {model};
+}
+
+// The library, and the stock model in place of what cannot run without it.
+std::filesystem::path find_library(const Case& scene, std::vector<FoamModel>& models) {
+  const auto needs = [&](FoamModel model) { return needs_library(scene, model); };
+  if (std::ranges::none_of(models, needs)) return {};
+  if (const auto library = foam_library()) return *library;
+  fmt::print(stderr,
+             "foam: without libthalwegFoam there is the stock model only (HerschelBulkley, yield stress without "
+             "pressure); tools/foam-library builds it where OpenFOAM's source package can be had\n");
+  models = {FoamModel::stock};
+  return {};
+}
+
+std::vector<Planned> plan(const Case& scene, const std::vector<FoamModel>& models, const ModelOptions& options,
+                          const std::filesystem::path& library) {
+  const int meshes = options.meshes > 0 ? options.meshes : scene.foam.meshes;
+  std::vector<Planned> planned;
+  for (const FoamModel model : models) {
+    for (int mesh = 0; mesh < meshes; ++mesh) {
+      const int coarsening = 1 << mesh;
+      Case coarser = scene;
+      coarser.foam.cell = cell_size(scene) * coarsening;
+      try {
+        planned.push_back({model, coarsening,
+                           make_foam_case(coarser, options.ranks, model,
+                                          needs_library(scene, model) ? library : std::filesystem::path())});
+      } catch (const InputError& error) {
+        if (mesh == 0) throw;
+        fmt::print(stderr, "foam: no mesh {} times as coarse ({})\n", coarsening, error.what());
+        break;
+      }
+    }
+  }
+  return planned;
+}
+
+}  // namespace
+
+std::string folder_of(FoamModel model, int coarsening) {
+  return coarsening == 1 ? name_of(model) : fmt::format("{}-{}x", name_of(model), coarsening);
+}
+
+void run_models(const Case& scene, const RunFolder& run, const ModelOptions& options) {
+  std::vector<FoamModel> models = chosen_models(scene, options);
+  for (const Planned& checked : plan(scene, models, options, {})) (void)case_files(checked.foam_case);  // complains now
+  require_openfoam();
+  const std::filesystem::path library = find_library(scene, models);
+  for (const Planned& one : plan(scene, models, options, library)) {
+    const std::filesystem::path folder = run.foam() / folder_of(one.model, one.coarsening);
+    fmt::print(stderr, "foam: {}, cells of {:g} mm, {} of them\n", name_of(one.model), 1e3 * one.foam_case.plan.cell,
+               one.foam_case.plan.cell_count());
+    if (reference_run(one.foam_case, folder) == Reference::already_there) {
+      fmt::print(stderr, "foam: {} is finished and up to date\n", folder.string());
+    }
+  }
+}
+
+}  // namespace thalweg::foam

@@ -1,0 +1,67 @@
+// What the eroding bed adds: constant/fvOptions, and the entry of system/controlDict that moves it.
+#include "foam_reference/bed_files.hpp"
+
+#include "foam_reference/case_files.hpp"
+#include "foam_reference/dictionary.hpp"
+
+namespace thalweg::foam {
+
+std::string eroding_bed_function(const FoamCase& foam_case) {
+  const Case& scene = foam_case.scene;
+  const SedimentParameters& s = scene.sediment();
+  return substitute(R"(    %name%  // moves the bed after each step; SI
+    {
+        type            erodingBed;
+        libs            ("libthalwegFoam.so");
+        waterPhase      water;
+        grainDensity    %grain_density%;
+        porosity        %porosity%;
+        grainDiameter   %diameter%;
+        frictionAngle   %friction_angle%;  // also the angle of repose
+        liftRatio       %lift_ratio%;
+        roughness       %roughness%;  // ks
+        criticalShields %critical%;  // 0: by the grain Reynolds number
+        bedLoad         %bed_load%;
+        pickUp          %pick_up%;
+        drag            %drag%;  // [1/s] on water in the bed
+        columns
+        {
+%columns%        }
+        writeControl    writeTime;
+    }
+)",
+                    {{"name", eroding_bed_name},
+                     {"grain_density", number(s.grain_density)},
+                     {"porosity", number(s.porosity)},
+                     {"diameter", number(s.grain_diameter)},
+                     {"friction_angle", number(s.friction_angle)},
+                     {"lift_ratio", number(s.lift_ratio)},
+                     {"roughness", number(s.roughness > 0 ? s.roughness : s.grain_diameter)},
+                     {"critical", number(s.critical_shields)},
+                     {"bed_load", scene.foam.bed_load == BedLoad::van_rijn ? "vanRijn" : "meyerPeterMueller"},
+                     {"pick_up", scene.foam.pick_up == PickUp::van_rijn ? "vanRijn" : "mastbergen"},
+                     {"drag", number(bed_drag)},
+                     {"columns", columns_entries(foam_case.plan, "            ")}});
+}
+
+CaseFiles bed_files(const FoamCase& foam_case) {
+  if (!foam_case.has_eroding_bed()) return {};
+  const Case& scene = foam_case.scene;
+  return {{"constant/fvOptions",
+           foam_file(scene, "dictionary", "fvOptions",
+                     "The bed holds the water in it still and brakes what runs over it (field bedDrag); grains in "
+                     "suspension\nadd their weight. Both fields come from the eroding bed in system/controlDict.",
+                     substitute(R"(immersedBed
+{
+    type            immersedBed;
+    libs            ("libthalwegFoam.so");
+    waterPhase      water;
+    grainDensity    %grain_density%;
+    waterDensity    %water_density%;
+}
+)",
+                                {{"grain_density", number(scene.sediment().grain_density)},
+                                 {"water_density", number(scene.water.density)}}))}};
+}
+
+}  // namespace thalweg::foam

@@ -1,0 +1,35 @@
+#include "foam_reference/foam_model.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "common/error.hpp"
+
+namespace thalweg::foam {
+
+std::string name_of(FoamModel model) { return mesh_model_names.at(static_cast<std::size_t>(model)); }
+
+FoamModel model_of(const std::string& name) {
+  const auto found = std::ranges::find(mesh_model_names, name);
+  if (found != mesh_model_names.end()) return static_cast<FoamModel>(found - mesh_model_names.begin());
+  throw InputError(
+      fmt::format("there is no mesh model \"{}\"; the models are {}", name, fmt::join(mesh_model_names, ", ")));
+}
+
+std::vector<FoamModel> models_of(const Case& scene) {
+  if (!scene.has_sediment()) return {FoamModel::stock};
+  if (scene.foam.models.empty()) return {FoamModel::same_material, FoamModel::eroding_bed};
+  std::vector<FoamModel> models;
+  for (const std::string& name : scene.foam.models) models.push_back(model_of(name));
+  return models;
+}
+
+bool needs_library(const Case& scene, FoamModel model) { return scene.has_sediment() && model != FoamModel::stock; }
+
+std::string application_of(FoamModel model) {
+  return model == FoamModel::eroding_bed ? "interFoam" : "multiphaseInterFoam";
+}
+
+}  // namespace thalweg::foam

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cmath>
+
+#include "solver/physics/bed_load.hpp"
+#include "solver/physics/bed_shear.hpp"
+#include "solver/physics/critical_shields.hpp"
+#include "solver/physics/friction_velocity.hpp"
+#include "solver/physics/lift_settling.hpp"
+#include "solver/physics/pick_up.hpp"
+#include "solver/physics/slope_factor.hpp"
+
+// What water does to the bed beneath it, by the laws of solver/physics/: the eroding-bed model's closures in one place.
+namespace thalweg::foam {
+
+/// Constants of grains and water, SI.
+struct Grains {
+  double density = 0;           // [kg/m^3] of the grains
+  double diameter = 0;          // [m]
+  double porosity = 0;          // [-]
+  double tan_friction = 0;      // [-]
+  double lift_ratio = 0;        // [-]
+  double roughness = 0;         // [m] ks
+  double critical_shields = 0;  // [-]; 0: by the grain Reynolds number
+  double water_density = 0;     // [kg/m^3]
+  double water_viscosity = 0;   // [m^2/s]
+  double gravity = 0;           // [m/s^2]
+  BedLoad bed_load = BedLoad::meyer_peter_mueller;
+  PickUp pick_up = PickUp::mastbergen;
+
+  [[nodiscard]] double size_number() const {  // d* [-]
+    return dimensionless_diameter(diameter, density, water_density, gravity, water_viscosity * water_density);
+  }
+  [[nodiscard]] double settling(double share) const {  // [m/s]
+    return hindered_settling_velocity(size_number(), share, diameter, water_viscosity);
+  }
+};
+
+/// The water's hold on a place of the bed.
+struct BedStress {
+  double friction_velocity = 0;  // u* [m/s]
+  double shields = 0;            // [-]
+  double flat_critical = 0;      // [-] Shields number at which a flat bed begins to move
+  double along_x = 0;            // direction of the flow over the ground
+  double along_y = 0;
+};
+
+/// Stress of water that moves with `speed` [m/s] along the bed, at `height` [m] above it, over the ground along the
+/// unit vector (along_x, along_y).
+inline BedStress bed_stress(const Grains& of, double speed, double height, double along_x, double along_y) {
+  BedStress found;
+  if (!(speed > 0)) return found;
+  const double weight = grain_weight_stress(of.density, of.water_density, of.gravity, of.diameter);
+  found.friction_velocity = friction_velocity(speed, height, of.water_viscosity, of.roughness).friction_velocity;
+  found.shields = shields_number(bed_shear_stress(of.water_density, found.friction_velocity), weight);
+  found.flat_critical = of.critical_shields > 0
+                            ? of.critical_shields
+                            : critical_shields_number(found.friction_velocity * of.diameter / of.water_viscosity);
+  found.along_x = along_x;
+  found.along_y = along_y;
+  return found;
+}
+
+/// Shields number [-] at which the bed begins to move where its slopes are (slope_x, slope_y). Van Rijn's laws divide
+/// by it, and the slope can make it 0: a twentieth of the flat bed's is kept.
+inline double critical_on_slope(const Grains& of, const BedStress& stress, double slope_x, double slope_y) {
+  const double length = std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
+  const Vec<3, double> normal{{-slope_x / length, -slope_y / length, 1 / length}};
+  const Vec<3, double> flow{{stress.along_x, stress.along_y, stress.along_x * slope_x + stress.along_y * slope_y}};
+  const Vec<3, double> down{{0, 0, -1}};
+  const double factor = slope_factor(normal, flow, down, of.tan_friction, of.lift_ratio);
+  return stress.flat_critical * (factor > 0.05 ? factor : 0.05);
+}
+
+/// Volume of grains that roll along the flow [m^2/s] per metre of width.
+inline double bed_load(const Grains& of, const BedStress& stress, double critical) {
+  if (!(stress.shields > critical)) return 0;
+  return bed_load_scale(of.diameter, of.density, of.water_density, of.gravity) *
+         (of.bed_load == BedLoad::van_rijn ? van_rijn_bed_load(stress.shields, critical, of.size_number())
+                                           : meyer_peter_mueller(stress.shields, critical));
+}
+
+/// Volume of grains that rise from the bed [m/s] per area.
+inline double pick_up(const Grains& of, const BedStress& stress, double critical) {
+  if (!(stress.shields > critical)) return 0;
+  return of.pick_up == PickUp::van_rijn ? van_rijn_pick_up(stress.shields, critical, of.size_number(), of.diameter,
+                                                           of.density, of.water_density, of.gravity)
+                                        : lift_velocity(stress.shields, critical, of.size_number(), of.diameter,
+                                                        of.density, of.water_density, of.gravity);
+}
+
+}  // namespace thalweg::foam

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/extraction/bodies.hpp"
+
+namespace thalweg {
+
+/// The heights of all columns of a grid [m], NaN where there is nothing; in 2-D a single row of columns.
+struct LevelMap {
+  SamplingGrid grid;
+  std::vector<ColumnLevels> levels;  // SamplingGrid::column
+
+  /// A height between columns, linear in x and y: the columns of a cell that have none count for nothing; NaN where
+  /// these are more than half.
+  [[nodiscard]] double at(double ColumnLevels::*height, double x, double y) const;
+  /// The same node's levels, if the map has it; `like` has the map's step.
+  [[nodiscard]] const ColumnLevels* find(const SamplingGrid& like, std::size_t i, std::size_t j) const;
+};
+
+/// What became of the bed between two maps. Volumes are per metre of width in 2-D [m^2].
+struct BedBalance {
+  double scour = 0;  // [m] deepest fall, >= 0
+  Vec3 scour_at = Vec3::Zero();
+  double deposition = 0;  // [m] highest rise, >= 0
+  Vec3 deposition_at = Vec3::Zero();
+  double eroded = 0;           // [m^3] where the bed fell
+  double deposited = 0;        // [m^3] where it rose
+  double sediment_volume = 0;  // [m^3] of `after`, between bed and floor
+};
+
+/// Compares two maps at the columns both have; nothing when they share none. Volumes are sums over the cells whose
+/// columns all have heights (trapezoidal rule).
+std::optional<BedBalance> bed_balance(const LevelMap& before, const LevelMap& after);
+
+}  // namespace thalweg

@@ -1,0 +1,169 @@
+#include "postproc/scene3d.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkDecimatePro.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "common/error.hpp"
+#include "common/io/particle_file.hpp"
+#include "common/io/series.hpp"
+#include "common/io/vtk_errors.hpp"
+#include "postproc/embedded.hpp"
+#include "postproc/html.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+// More triangles of one surface than a page of some megabytes can hold at twenty times.
+constexpr vtkIdType most_triangles = 20'000;
+
+template <class T>
+std::string base64_of(const std::vector<T>& numbers) {
+  return html::base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+}
+
+vtkSmartPointer<vtkPolyData> read_surface(const fs::path& file) {
+  const vtkNew<VtkErrors> errors;
+  const vtkNew<vtkXMLPolyDataReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, errors);
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (errors->any()) {
+    throw InputError(file.string() + ": cannot be read (" + errors->first() +
+                     "); make the surfaces again with thalweg-postproc");
+  }
+  return reader->GetOutput();
+}
+
+// Triangles, and no more of them than the page can hold.
+vtkSmartPointer<vtkPolyData> triangles_of(vtkPolyData* surface, SpaceScene& scene) {
+  const vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> result = triangles->GetOutput();
+  const vtkIdType count = result->GetNumberOfPolys();
+  if (count > most_triangles) {
+    const vtkNew<vtkDecimatePro> decimate;
+    decimate->SetInputData(result);
+    decimate->SetTargetReduction(1 - static_cast<double>(most_triangles) / static_cast<double>(count));
+    decimate->PreserveTopologyOff();
+    decimate->Update();
+    result = decimate->GetOutput();
+    scene.thinned = true;
+  }
+  scene.most_triangles = std::max(scene.most_triangles, static_cast<std::size_t>(result->GetNumberOfPolys()));
+  return result;
+}
+
+nlohmann::json json_of(vtkPolyData* surface, double& largest) {
+  std::vector<float> points;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    for (const int axis : {0, 1, 2}) points.push_back(static_cast<float>(surface->GetPoint(i)[axis]));
+  }
+  std::vector<std::uint32_t> corners;
+  const vtkNew<vtkIdList> corner_list;
+  for (vtkIdType c = 0; c < surface->GetPolys()->GetNumberOfCells(); ++c) {
+    surface->GetPolys()->GetCellAtId(c, corner_list);
+    for (vtkIdType k = 0; k < 3; ++k) corners.push_back(static_cast<std::uint32_t>(corner_list->GetId(k)));
+  }
+  nlohmann::json json{{"points", base64_of(points)}, {"triangles", base64_of(corners)}};
+  if (vtkDataArray* change = surface->GetPointData()->GetArray("BedLevelChange")) {
+    std::vector<float> values;
+    for (vtkIdType i = 0; i < change->GetNumberOfTuples(); ++i) {
+      const double value = change->GetComponent(i, 0);
+      values.push_back(static_cast<float>(value));
+      if (!std::isnan(value)) largest = std::max(largest, std::abs(value));
+    }
+    json["change"] = base64_of(values);
+  }
+  return json;
+}
+
+// Walls inside the room that the fluid has at the start, of any height: piers and the like, not the container.
+std::vector<float> bodies_in(const ParticleSet& particles) {
+  Vec3 low = Vec3::Constant(INFINITY);
+  Vec3 high = -low;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.type[i] != ParticleType::water && particles.type[i] != ParticleType::sediment) continue;
+    low = low.cwiseMin(particles.position[i]);
+    high = high.cwiseMax(particles.position[i]);
+  }
+  const double margin = particles.info.spacing;
+  std::vector<float> bodies;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Vec3& at = particles.position[i];
+    const bool wall = particles.type[i] == ParticleType::wall || particles.type[i] == ParticleType::moving_wall;
+    const bool inside = at.x() > low.x() + margin && at.x() < high.x() - margin && at.y() > low.y() + margin &&
+                        at.y() < high.y() - margin && at.z() >= low.z();
+    if (!wall || !inside) continue;
+    for (const int axis : {0, 1, 2}) bodies.push_back(static_cast<float>(at[axis]));
+  }
+  return bodies;
+}
+
+void add_surfaces(const fs::path& series, const char* name, std::map<double, nlohmann::json>& frames, double& largest,
+                  SpaceScene& scene) {
+  if (!fs::exists(series)) return;
+  for (const SeriesEntry& entry : read_series(series)) {
+    const fs::path file = series.parent_path() / entry.file;
+    const vtkSmartPointer<vtkPolyData> surface = triangles_of(read_surface(file), scene);
+    if (surface->GetNumberOfPolys() == 0) continue;
+    frames[entry.time][name] = json_of(surface, largest);
+  }
+}
+
+}  // namespace
+
+SpaceScene make_space_scene(const ReportInput& input) {
+  SpaceScene scene;
+  if (input.resolved.info.dimension == 2) {
+    scene.why_not = "--3d: this run lies in the plane; the profiles show all of it";
+    return scene;
+  }
+  if (embedded::scene_script.empty()) {
+    scene.why_not =
+        "--3d: this program was built without vtk.js, for want of npm or a network; install npm and build again";
+    return scene;
+  }
+  const fs::path folder = input.run.surfaces();
+  std::map<double, nlohmann::json> frames;
+  double largest = 0;
+  add_surfaces(folder / "bed.pvd", "bed", frames, largest, scene);
+  add_surfaces(folder / "free_surface.pvd", "water", frames, largest, scene);
+  if (frames.empty()) {
+    scene.why_not = "--3d: there are no surfaces in " + folder.string();
+    return scene;
+  }
+  nlohmann::json list = nlohmann::json::array();
+  for (auto& [time, frame] : frames) {
+    frame["time"] = time;
+    list.push_back(std::move(frame));
+  }
+  scene.frames = list.size();
+  scene.largest = std::max(largest, 1e-3);
+  const fs::path start = input.run.particles();
+  nlohmann::json data{{"spacing", input.extraction.info.spacing},
+                      {"largest", scene.largest},
+                      {"bodies", fs::exists(start) ? base64_of(bodies_in(read_particles(start))) : ""},
+                      {"frames", std::move(list)}};
+  scene.data = data.dump();
+  return scene;
+}
+
+}  // namespace thalweg

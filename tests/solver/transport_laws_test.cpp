@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/physics/bed_load.hpp"
+#include "solver/physics/lift_settling.hpp"
+#include "solver/physics/pick_up.hpp"
+
+namespace thalweg {
+namespace {
+
+constexpr double d = 0.0035;  // m, the paper's PVC grains, 1540 kg/m^3
+
+// sqrt(0.54 * 9.81 * 4.2875e-8) = sqrt(2.27126e-7) = 4.76577e-4 m^2/s
+TEST(BedLoad, HasTheHandWorkedUnit) { EXPECT_NEAR(bed_load_scale(d, 1540.0, 1000.0, 9.81), 4.76577e-4, 1e-9); }
+
+// 8 * 0.353^1.5 = 8 * 0.2097307 = 1.677846
+TEST(BedLoad, FollowsMeyerPeterAndMueller) {
+  EXPECT_NEAR(meyer_peter_mueller(0.4, 0.047), 1.677846, 1e-6);
+  EXPECT_EQ(meyer_peter_mueller(0.047, 0.047), 0);
+  EXPECT_EQ(meyer_peter_mueller(0.01, 0.047), 0);
+  EXPECT_NEAR(meyer_peter_mueller(0.4F, 0.047F), 1.677846F, 1e-5F);
+  EXPECT_NEAR(meyer_peter_mueller(0.447, 0.047) / meyer_peter_mueller(0.147, 0.047), 8, 1e-9);  // 4^1.5
+}
+
+// 0.053 * 7^2.1/61.01^0.3 = 0.053 * 59.5259/3.4326 = 0.919097
+TEST(BedLoad, FollowsVanRijn) {
+  EXPECT_NEAR(van_rijn_bed_load(0.4, 0.05, 61.01), 0.919097, 1e-6);
+  EXPECT_EQ(van_rijn_bed_load(0.05, 0.05, 61.01), 0);
+}
+
+// 0.00033 * 61.01^0.3 * 7^1.5 * sqrt(0.54 * 9.81 * 0.0035) = 0.00033 * 3.4326 * 18.5203 * 0.136165 = 2.85658e-3 m/s
+TEST(PickUp, FollowsVanRijn) {
+  EXPECT_NEAR(van_rijn_pick_up(0.4, 0.05, 61.01, d, 1540.0, 1000.0, 9.81), 2.85658e-3, 1e-8);
+  EXPECT_EQ(van_rijn_pick_up(0.05, 0.05, 61.01, d, 1540.0, 1000.0, 9.81), 0);
+}
+
+// Both are a power of 1.5 of the excess: equal where 0.00033/theta_cr^1.5 = 0.018.
+TEST(PickUp, AgreesWithMastbergenAtOneCriticalShieldsNumber) {
+  const double critical = std::pow(0.00033 / 0.018, 2.0 / 3);
+  EXPECT_NEAR(van_rijn_pick_up(0.5, critical, 61.01, d, 1540.0, 1000.0, 9.81) /
+                  lift_velocity(0.5, critical, 61.01, d, 1540.0, 1000.0, 9.81),
+              1, 1e-12);
+}
+
+// (1e-6/0.0035) (sqrt(107.3296 + 1.049 * 0.9^4.7 * 61.013^3) - 10.36) = 0.105954 m/s
+TEST(HinderedSettling, SlowsWithTheShareOfGrains) {
+  const double d_star = dimensionless_diameter(d, 1540.0, 1000.0, 9.81, 1e-3);
+  EXPECT_NEAR(hindered_settling_velocity(d_star, 0.1, d, 1e-6), 0.105954, 1e-6);
+  EXPECT_EQ(hindered_settling_velocity(d_star, 0.0, d, 1e-6), settling_velocity(d_star, d, 1e-6));
+  EXPECT_EQ(hindered_settling_velocity(d_star, 1.0, d, 1e-6), 0);
+  EXPECT_EQ(hindered_settling_velocity(d_star, -0.1, d, 1e-6), settling_velocity(d_star, d, 1e-6));
+}
+
+}  // namespace
+}  // namespace thalweg
