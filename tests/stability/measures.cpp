@@ -12,7 +12,6 @@
 namespace thalweg::test {
 namespace {
 
-bool is_fluid(ParticleType type) { return type == ParticleType::water || type == ParticleType::sediment; }
 double gravity(const FinishedRun& run) { return run.scene.domain.gravity.norm(); }
 double spacing(const FinishedRun& run) { return run.scene.numerics.spacing; }
 
@@ -224,7 +223,8 @@ double surface_error(const FinishedRun& run) {
   const double end = run.scene.output.end;
   const ProfileSet measured{"measured", SourceKind::other, {}, {{end, {}, measured_surface(run)}}};
   const ProfileSet computed{"computed", SourceKind::other, {}, {{end, {}, final_profile(run)}}};
-  for (const CurveError& e : compare(measured, computed, run.scene.domain.from.x(), run.scene.domain.to.x()).errors) {
+  for (const CurveError& e :
+       compare(measured, computed, {run.scene.domain.from.x(), run.scene.domain.to.x(), 0}).errors) {
     if (e.curve == "bed") return e.rmse / sediment_height(run);
   }
   return NAN;
