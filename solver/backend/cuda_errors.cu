@@ -11,13 +11,14 @@ std::string version_text(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
 }
 
-std::string driver_and_runtime() {
+std::string cure_of_driver() {
   int driver = 0;
   int runtime = 0;
   cudaDriverGetVersion(&driver);
   cudaRuntimeGetVersion(&runtime);
-  return "the driver supports CUDA " + (driver == 0 ? "none" : version_text(driver)) + ", this build needs " +
-         version_text(runtime);
+  if (driver == 0) return "no NVIDIA driver is installed here; install one, or use --backend openmp";
+  return "the driver supports CUDA " + version_text(driver) + ", this build needs " + version_text(runtime) +
+         "; install a newer NVIDIA driver, or build with an older CUDA Toolkit";
 }
 
 /// What a user can do about an error; empty where nothing is known.
@@ -26,7 +27,7 @@ std::string cure(cudaError_t status) {
     case cudaErrorInsufficientDriver:
     case cudaErrorSystemDriverMismatch:
     case cudaErrorUnsupportedPtxVersion:
-      return driver_and_runtime() + "; install a newer NVIDIA driver, or build with an older CUDA Toolkit";
+      return cure_of_driver();
     case cudaErrorNoDevice:
       return "no NVIDIA GPU is visible; look at nvidia-smi and CUDA_VISIBLE_DEVICES, or use --backend openmp";
     case cudaErrorNoKernelImageForDevice:

@@ -1,15 +1,14 @@
 #include "device_test.hpp"
 #include "solver/backend/cuda.cuh"
-#include "solver/core_cuda.cuh"
 
 namespace thalweg::test {
 
-/// Compiled with the core already.
+/// The core module, as the solver loads it.
 template <>
 struct Maker<Cuda> {
   template <int Dim>
   static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from) {
-    return std::unique_ptr<Simulation>(make_on_cuda(scene, from, false));
+    return make_simulation({scene, &from}, "cuda", "auto");
   }
 };
 
