@@ -23,8 +23,8 @@ inline constexpr TableHeading sediment_heading{"materials.<sediment>",
                                                "A sediment, under the name by which shapes refer to it."};
 
 /// Calls visit(heading, table) for every table that occurs once, in reading order. Shapes with their motions, and
-/// sediments, of which there may be several, stand where `visit_shapes()` and `visit_sediments()` are called, gauges and
-/// lines where `visit_gauges()` is.
+/// sediments, of which there may be several, stand where `visit_shapes()` and `visit_sediments()` are called, gauges
+/// and lines where `visit_gauges()` is.
 template <class Visit, class VisitShapes, class VisitSediments, class VisitGauges>
 void for_each_table(Case& of, Visit&& visit, VisitShapes&& visit_shapes, VisitSediments&& visit_sediments,
                     VisitGauges&& visit_gauges) {
