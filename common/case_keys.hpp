@@ -23,8 +23,6 @@ struct KeyDeclaration {
   std::vector<std::string> words;           // of a choice
   std::vector<std::string> word_sentences;  // one for each word
 
-  /// Whether its table is one of a list, [[shape]].
-  [[nodiscard]] bool is_list() const { return table.starts_with('['); }
   /// "numerics.spacing"; "shape.radius" for a key of [[shape]].
   [[nodiscard]] std::string full_name() const;
   /// Whether a case may have several of its table, under names of their own: [[shape]], [[motion]].

@@ -8,7 +8,8 @@ namespace thalweg {
 
 /// What a run of this many particles will need [bytes]; estimates for announcements and refusals.
 struct MemoryEstimate {
-  double solver = 0;  // records, neighbour lists and the state of the step; on a GPU in the GPU's memory
+  double solver = 0;  // records, neighbour lists and the state of the step on CPU cores
+  double gpu = 0;     // the same in a GPU's memory, without a number a pair (Gpu::stores_coefficients)
   double host = 0;    // particle arrays while files are read and written
   [[nodiscard]] double total() const { return solver + host; }
 };

@@ -189,7 +189,7 @@ class Pass {
       if (!failure) largest = std::max(largest, static_cast<double>(size));
     }
     constexpr double expansion = 30;  // [-] memory over file size: compressed file to arrays, grid and surfaces
-    const double fits = 0.25 * machine_memory() / (expansion * largest);
+    const double fits = 0.25 * available_memory() / (expansion * largest);
     const double cores = std::max(1U, std::thread::hardware_concurrency());
     return static_cast<std::size_t>(std::clamp(fits, 1.0, cores));
   }

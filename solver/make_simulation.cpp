@@ -85,7 +85,7 @@ void check_memory(const SimulationInput& input, double available) {
       [&](const auto& scene) {
         constexpr int dimension = std::is_same_v<std::decay_t<decltype(scene)>, Scene<3>> ? 3 : 2;
         const auto particles = static_cast<double>(input.particles->size());
-        const double needed = estimate_memory(particles, dimension).solver;
+        const double needed = estimate_memory(particles, dimension).gpu;
         if (needed <= available) return;
         throw InputError(
             fmt::format("--backend cuda: {:.3g} particles need {} on the GPU, which has {} free; fill the scene with a "

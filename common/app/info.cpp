@@ -104,7 +104,7 @@ void print_particles(std::ostream& to, const fs::path& file) {
   fmt::print(to, "  memory of these arrays: {}\n", megabytes(memory_of(p)));
   const MemoryEstimate memory = estimate_memory(static_cast<double>(p.size()), p.info.dimension);
   fmt::print(to, "  memory of the solver: about {} on a CPU; {} of a GPU's and {} of the host's\n",
-             format_bytes(memory.total()), format_bytes(memory.solver), format_bytes(memory.host));
+             format_bytes(memory.total()), format_bytes(memory.gpu), format_bytes(memory.host));
 }
 
 void print_series(std::ostream& to, const fs::path& pvd) {
