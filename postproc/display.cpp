@@ -3,7 +3,6 @@
 #include <X11/Xlib.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+
+#include "postproc/file_actions.hpp"
 
 namespace thalweg {
 namespace {
@@ -21,14 +22,6 @@ bool reachable() {
   XCloseDisplay(display);
   return true;
 }
-
-struct FileActions {
-  posix_spawn_file_actions_t actions{};
-  FileActions() { posix_spawn_file_actions_init(&actions); }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-};
 
 // Starts a program found on the path; 0 when it cannot be.
 pid_t start(const std::vector<std::string>& command, const FileActions& files) {

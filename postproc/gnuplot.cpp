@@ -1,7 +1,6 @@
 #include "postproc/gnuplot.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,17 +12,10 @@
 #include <sstream>
 
 #include "common/error.hpp"
+#include "postproc/file_actions.hpp"
 
 namespace thalweg {
 namespace {
-
-struct FileActions {
-  posix_spawn_file_actions_t actions{};
-  FileActions() { posix_spawn_file_actions_init(&actions); }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-};
 
 // gnuplot's complaint on one line, without the echo of the script and the caret under it.
 std::string complaint_in(const std::filesystem::path& log) {

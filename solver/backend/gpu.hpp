@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -42,7 +41,6 @@ class DeviceBuffer {
     }
     size_ = n;
   }
-  void clear() { size_ = 0; }
   void swap(DeviceBuffer& b) noexcept {
     std::swap(data_, b.data_);
     std::swap(size_, b.size_);

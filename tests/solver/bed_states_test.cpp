@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pvc_grains.hpp"
 #include "scenes.hpp"
 
 namespace thalweg {
@@ -18,23 +19,7 @@ Scene<2> eroding_scene() {
   Scene<2> scene = test::make_scene_of(setup);
   scene.has_sediment = scene.has_states = true;
   scene.sediment.friction_tangent = 0.78F;
-  ErosionScene<2>& e = scene.erosion;
-  e.surface_fill = 0.85F;
-  e.fill_hysteresis = 0.07F;
-  e.diameter = e.roughness = 3.5e-3F;
-  e.grain_density = 1540;
-  e.grain_weight = 540 * 9.81F * 3.5e-3F;
-  e.gravity = 9.81F;
-  e.down = {0, -1};
-  e.lift_ratio = 0.85F;
-  e.dimensionless_diameter = 61.01F;
-  e.settling_velocity = 0.1365F;
-  e.dilute = 0.312F;
-  e.dense = 0.33F;
-  e.return_stress = 0.8F;
-  e.return_speed = 2e-3F;
-  e.return_time = 0.019F;
-  e.solids_share = 0.53F;
+  scene.erosion = test::erosion_of_pvc<2>();
   return scene;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "pvc_grains.hpp"
+
 namespace thalweg::test {
 namespace {
 
@@ -40,23 +42,7 @@ DeviceScene eroding() {
   Scene<2>& scene = plane(s);
   scene.has_states = scene.may_rest = true;
   scene.rest = {0.04F, 0.06F, 3e-3F, 0.001F};
-  ErosionScene<2>& e = scene.erosion;
-  e.surface_fill = 0.85F;
-  e.fill_hysteresis = 0.07F;
-  e.diameter = e.roughness = 3.5e-3F;
-  e.grain_density = 1540;
-  e.grain_weight = 540 * g * 3.5e-3F;
-  e.gravity = g;
-  e.down = {0, -1};
-  e.lift_ratio = 0.85F;
-  e.dimensionless_diameter = 61.01F;
-  e.settling_velocity = 0.1365F;
-  e.dilute = 0.312F;
-  e.dense = 0.33F;
-  e.return_stress = 0.8F;
-  e.return_speed = 2e-3F;
-  e.return_time = 0.019F;
-  e.solids_share = 0.53F;
+  scene.erosion = erosion_of_pvc<2>();
   for (std::size_t i = 0; i < s.particles.size(); ++i) {
     if (s.particles.type[i] == ParticleType::water) s.particles.velocity[i].x() = 0.4F;
   }
