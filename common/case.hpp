@@ -422,6 +422,15 @@ struct Model {
   }
 };
 
+/// The precision of the sums over pairs; that of what is kept of a particle is the same in both.
+enum class Precision { single_sums, double_sums };
+
+inline constexpr std::array<Choice<Precision>, 2> choices(Precision) {
+  return {{{Precision::single_sums, "single", "32 bits; distances are exact first"},
+           {Precision::double_sums, "double",
+            "64 bits, on CPU cores only: to see what single precision costs in accuracy and gains in time"}}};
+}
+
 struct Numerics {
   double spacing = required;           // [m]
   double smoothing_ratio = 1.5;        // [-] h / spacing
@@ -435,6 +444,7 @@ struct Numerics {
   int viscous_iterations = 1000;
   double list_skin = 0.1;        // [-]
   double excluded_limit = 1e-3;  // [-]
+  Precision precision = Precision::single_sums;
 
   template <class V>
   void describe(V& v) {
@@ -460,6 +470,7 @@ struct Numerics {
              "Reach of the neighbour list beyond the kernel's support, over the support.");
     v.number("excluded_limit", excluded_limit, 0, 1,
              "Share of the fluid particles that may leave the domain before the run stops with an error.");
+    v.choice("precision", precision, "Precision in which a particle's sums over its neighbours are computed.");
   }
 };
 

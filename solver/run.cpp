@@ -80,7 +80,7 @@ ParticleSet read_start(const RunOptions& options, const Case& c) {
   return particles;
 }
 
-/// Says which choices of the sediment's model are not the default ones, and what they are worth.
+/// Says which choices of precision and of the sediment's model are not the default ones, and what they are worth.
 void announce_choices(const Case& c) {
   const auto announce = [](const char* key, const auto& choice, const auto& usual) {
     if (choice == usual) return;
@@ -88,6 +88,8 @@ void announce_choices(const Case& c) {
       if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
     }
   };
+  announce("numerics.precision", c.numerics.precision, Numerics{}.precision);
+  if (!c.has_sediment()) return;
   announce("model.sediment", c.model.sediment, SedimentModel::viscoplastic);
   announce("model.implementation", c.model.implementation, Model{}.implementation);
   announce("model.effective_pressure", c.model.effective_pressure, Model{}.effective_pressure);
@@ -113,7 +115,8 @@ class Run {
   Run(const Case& c, const ParticleSet& start, const RunOptions& options)
       : case_(c),
         clock_{start.info.time, start.info.step},
-        simulation_(make_simulation({make_scene(c, start), &start, options.threads, options.profile, make_motions(c)},
+        simulation_(make_simulation({make_scene(c, start), &start, options.threads, options.profile, make_motions(c),
+                                     c.numerics.precision == Precision::double_sums},
                                     options.backend, options.instruction_set)),
         output_({options.folder}, info(start), clock_, c.gauges.empty() ? std::string() : gauge_heading_line(c)),
         snapshot_times_(snapshot_times(c)),
@@ -126,7 +129,7 @@ class Run {
     next_gauges_ = gauge_time_after(clock_.time);
     counts_.excluded = output_.excluded_before();
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
-    if (c.has_sediment()) announce_choices(c);
+    announce_choices(c);
     announce_seepage(c);
     warn_of_fast_walls(c, start);
   }
