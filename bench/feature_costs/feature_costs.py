@@ -152,7 +152,7 @@ def main():
                      f"{a.bytes:.0f}, {b.bytes:.0f}", f"{a.iterations:.1f}, {b.iterations:.1f}"])
         unused.append([name, scene, len(a.headings), ", ".join(added) or "-"])
     page.table(f"One thread, {given.repeats} runs each in turn, {given.steps} steps: medians; of the ratio least and largest "
-               "too", ["feature", "scene", "particles without, with", "ns a particle-step without", "with",
+               "too", ["feature", "scene", "particles without, with", "ns a particle-step without", "ns a particle-step with",
                        "processor time of a step, with over without", "bytes a particle", "viscous iterations a step"],
                rows)
     page.table("What is off is not called: lines of the step that the run without the feature went through, and those that only "
