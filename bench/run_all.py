@@ -19,6 +19,7 @@ MEASUREMENTS = {
     "space": ("scaling/scaling.py", ["--part", "space"], None),
     "plane": ("scaling/scaling.py", ["--part", "plane"], None),
     "threads": ("scaling/scaling.py", ["--part", "threads"], None),
+    "traffic": ("scaling/scaling.py", ["--part", "traffic"], None),
 }
 
 

@@ -10,6 +10,7 @@ which every step builds them. `--part` makes one part of the table at a time, fo
 import argparse
 import math
 import pathlib
+import re
 import shutil
 import sys
 
@@ -18,6 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import measure  # noqa: E402
 
 SPACING = 0.01  # [m]
+LAST_CACHE = 8 << 20  # [bytes] of the counted traffic: much less than the scene, as with millions of particles
 LAYERS = {2: 64, 3: 32}  # of fluid; in space the kernel reaches through a fifth of them
 CASE = """
 [case]
@@ -133,6 +135,35 @@ def threads(given, page):
                ["scene", "particles", "ns a particle-step, one", "two", "gain", "processor time of two over one"], rows)
 
 
+def counted(given, run, steps):
+    """Instructions, reads and writes, misses of the first and of the last cache, as valgrind's model of them counts."""
+    said = measure.call("valgrind", "--tool=cachegrind", "--cache-sim=yes", f"--LL={LAST_CACHE},16,64",
+                        "--cachegrind-out-file=/dev/null", given.thalweg.with_name("thalweg-solver"), run, "--threads", 1,
+                        "--benchmark", steps).text
+    return [int(re.search(rf"{name}:\s+([\d,]+)", said).group(1).replace(",", ""))
+            for name in ("I +refs", "D +refs", "D1 +misses", "LLd misses")]
+
+
+def traffic(given, page):
+    """What a step reads and writes, where no counters of the processor can be had."""
+    if shutil.which("valgrind") is None:
+        page.note("Memory traffic is not counted: valgrind is not installed.")
+        return
+    rows = []
+    for with_bed in (False, True):
+        folder = measure.write_case(scene(3, given.traffic_particles, with_bed), given.out / f"traffic-{with_bed:d}")
+        run = measure.fill(given.thalweg, folder, folder / "run")
+        cost = measure.solve(given.thalweg, run, "--benchmark", 2)
+        few, many = (counted(given, run, steps) for steps in (1, 3))
+        each = [(m - f) / (2 * cost.fluid) for f, m in zip(few, many)]
+        rows.append(["water over a bed" if with_bed else "water", cost.fluid, *each[:2], 64 * each[2], 64 * each[3],
+                     cost.bytes * cost.particles / cost.fluid])
+    page.table(f"Counted by valgrind's model of the caches (AVX2 sweeps, which is all it knows; last cache {LAST_CACHE >> 20} MB), "
+               "3-D, for a fluid particle and a step that builds no lists",
+               ["scene", "particles", "instructions", "reads and writes", "bytes into the first cache",
+                "bytes from memory", "bytes of arrays a fluid particle"], rows)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.common_arguments(parser, 3)
@@ -141,7 +172,9 @@ def main():
     parser.add_argument("--largest", type=float, default=1e7, help="number of particles in 3-D (default: %(default)g)")
     parser.add_argument("--work", type=float, default=4e6, help="particle-steps of a run, about (default: %(default)g)")
     parser.add_argument("--thread-particles", type=int, default=200000, help="of the 3-D scenes of the part threads")
-    parser.add_argument("--part", choices=("space", "plane", "threads"), help="default: all")
+    parser.add_argument("--traffic-particles", type=int, default=150000, help="of the scenes of the part traffic")
+    parser.add_argument("--part", choices=("space", "plane", "threads", "traffic"),
+                        help="default: all but traffic")
     given = parser.parse_args()
 
     page = measure.Page("scaling" + (f"-{given.part}" if given.part else ""), "Particles and threads",
@@ -155,6 +188,8 @@ def main():
         sizes(given, page, 2, True, up_to(min(1e6, given.largest)))
     if given.part in (None, "threads"):
         threads(given, page)
+    if given.part == "traffic":
+        traffic(given, page)
     page.write(given.results)
 
 
