@@ -166,7 +166,7 @@ class Page:
     def __init__(self, name, title, command):
         self.name = name
         self.content = {"title": title, "date": datetime.date.today().isoformat(), "commit": commit(),
-                        "command": command, "machine": machine(), "load": os.getloadavg()[0], "parts": []}
+                        "command": command, "machine": machine(), "load": os.getloadavg()[0], "parts": [], "figures": []}
 
     def note(self, text):
         self.content["parts"].append({"note": text})
@@ -174,6 +174,10 @@ class Page:
     def table(self, caption, columns, rows):
         """Rows of numbers and texts, in the order of the columns."""
         self.content["parts"].append({"caption": caption, "columns": columns, "rows": rows})
+
+    def figure(self, what, figure):
+        """A line of the table in docs/performance.md (summary.py)."""
+        self.content["figures"].append([what, figure])
 
     def text(self):
         c = self.content

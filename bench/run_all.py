@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes the measurements of this folder again, one after the other: run_all.py THALWEG [--only NAME ...]
 
-Each is a script of its own that can be run alone and says what it does with --help; all write to bench/results. They want
-the machine to themselves for about an hour.
+Each is a script of its own that can be run alone and says what it does with --help; all write to bench/results, and summary.py
+takes their figures into docs/performance.md. They want the machine to themselves for about an hour.
 """
 
 import argparse
@@ -12,14 +12,28 @@ import sys
 import time
 
 BENCH = pathlib.Path(__file__).resolve().parent
-# Name -> script, its options, and what it asks for beside the program.
+
+
+def peer_ratio(given):
+    return ["peer_ratio/peer_ratio.py", given.thalweg,
+            *(["--dualsphysics", given.dualsphysics] if given.dualsphysics else [])]
+
+
+def scaling(part):
+    return lambda given: ["scaling/scaling.py", given.thalweg, "--part", part]
+
+
+# Name -> the script and its arguments.
 MEASUREMENTS = {
-    "peer": ("peer_ratio/peer_ratio.py", [], "--dualsphysics"),
-    "feature-costs": ("feature_costs/feature_costs.py", [], None),
-    "space": ("scaling/scaling.py", ["--part", "space"], None),
-    "plane": ("scaling/scaling.py", ["--part", "plane"], None),
-    "threads": ("scaling/scaling.py", ["--part", "threads"], None),
-    "traffic": ("scaling/scaling.py", ["--part", "traffic"], None),
+    "micro": lambda given: ["micro/micro.py", given.thalweg.resolve().parents[1]],  # where the program was built
+    "peer": peer_ratio,
+    "feature-costs": lambda given: ["feature_costs/feature_costs.py", given.thalweg],
+    "space": scaling("space"),
+    "plane": scaling("plane"),
+    "threads": scaling("threads"),
+    "traffic": scaling("traffic"),
+    "speed-vs-error": lambda given: ["speed_vs_error/speed_vs_error.py", given.thalweg, "--quick", "--record",
+                                     BENCH / "results"],
 }
 
 
@@ -31,15 +45,17 @@ def main():
     given = parser.parse_args()
     failed = []
     for name in given.only:
-        script, options, extra = MEASUREMENTS[name]
-        value = getattr(given, extra.removeprefix("--")) if extra else None
+        script, *arguments = MEASUREMENTS[name](given)
+        if not (BENCH / script).exists():
+            print(f"== {name}: left out, bench/{script} is not there", flush=True)
+            continue
         begin = time.monotonic()
         print(f"== {name}", flush=True)
-        done = subprocess.run([sys.executable, BENCH / script, given.thalweg, *options, *([extra, value] if value else [])],
-                              check=False)
+        done = subprocess.run([sys.executable, BENCH / script, *arguments], check=False)
         print(f"== {name}: {time.monotonic() - begin:.0f} s, exit status {done.returncode}", flush=True)
         if done.returncode != 0:
             failed.append(name)
+    subprocess.run([sys.executable, BENCH / "summary.py"], check=True)
     if failed:
         sys.exit(f"failed: {', '.join(failed)}")
 

@@ -150,6 +150,7 @@ def main():
                      measure.Spread.of(c.ns for c in without).median, measure.Spread.of(c.ns for c in used).median,
                      measure.ratios([c.cpu / c.steps for c in used], [c.cpu / c.steps for c in without]),
                      f"{a.bytes:.0f}, {b.bytes:.0f}", f"{a.iterations:.1f}, {b.iterations:.1f}"])
+        page.figure(f"{name} ({scene}): time of a step, with over without", f"{rows[-1][5].median:.2f}")
         unused.append([name, scene, len(a.headings), ", ".join(added) or "-"])
     page.table(f"One thread, {given.repeats} runs each in turn, {given.steps} steps: medians; of the ratio least and largest "
                "too", ["feature", "scene", "particles without, with", "ns a particle-step without", "ns a particle-step with",

@@ -19,7 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import measure  # noqa: E402
 
 SPACING = 0.01  # [m]
-LAST_CACHE = 8 << 20  # [bytes] of the counted traffic: much less than the scene, as with millions of particles
+LAST_CACHE = 2 << 20  # [bytes] of the counted traffic: much less than the scene, as with millions of particles
 LAYERS = {2: 64, 3: 32}  # of fluid; in space the kernel reaches through a fifth of them
 CASE = """
 [case]
@@ -114,7 +114,11 @@ def sizes(given, page, dimension, with_bed, numbers):
                ["particles", "CPU ns a particle-step", "CPU ns a particle to build lists", "viscous iterations a step",
                 "bytes of arrays a fluid particle", "bytes of arrays a particle", "peak memory a particle, reading included",
                 "lists built"], rows)
-    page.note(f"Dearest over cheapest: {max(r[1].median for r in rows) / min(r[1].median for r in rows):.2f}.")
+    least, most = (pick(r[1].median for r in rows) for pick in (min, max))
+    page.note(f"Dearest over cheapest: {most / least:.2f}.")
+    page.figure(f"{dimension}-D, {'water over a bed' if with_bed else 'water'}, {rows[0][0]} to {rows[-1][0]} particles: CPU time a "
+                "particle-step, one core", f"{least:.0f} to {most:.0f} ns; lists {min(r[2].median for r in rows):.0f} to "
+                f"{max(r[2].median for r in rows):.0f} ns each time; {rows[-1][5]:.0f} bytes a particle")
 
 
 def threads(given, page):
@@ -131,6 +135,7 @@ def threads(given, page):
         rows.append([name, one[0][2].fluid, measure.Spread.of(t[1] for t in one), measure.Spread.of(t[1] for t in two),
                      measure.ratios((t[1] for t in one), (t[1] for t in two)),
                      measure.ratios((t[0] for t in two), (t[0] for t in one))])
+        page.figure(f"second thread, {rows[-1][0]}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} times as fast")
     page.table("One thread and two, in turn; by the clock, which needs a machine with nothing else to do",
                ["scene", "particles", "ns a particle-step, one", "two", "gain", "processor time of two over one"], rows)
 
@@ -172,7 +177,7 @@ def main():
     parser.add_argument("--largest", type=float, default=1e7, help="number of particles in 3-D (default: %(default)g)")
     parser.add_argument("--work", type=float, default=4e6, help="particle-steps of a run, about (default: %(default)g)")
     parser.add_argument("--thread-particles", type=int, default=200000, help="of the 3-D scenes of the part threads")
-    parser.add_argument("--traffic-particles", type=int, default=150000, help="of the scenes of the part traffic")
+    parser.add_argument("--traffic-particles", type=int, default=30000, help="of the scenes of the part traffic")
     parser.add_argument("--part", choices=("space", "plane", "threads", "traffic"),
                         help="default: all but traffic")
     given = parser.parse_args()
