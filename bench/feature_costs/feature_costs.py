@@ -108,7 +108,7 @@ def comparisons(scenes):
         ("effective pressure by Laplace", "Louvain, collapse", moving, moving.but("model.effective_pressure=laplace"), steps),
         ("friction by inertial number", "Louvain, collapse", moving, moving.but("model.rheology=mu-of-i"), steps),
         ("Mohr-Coulomb", "Louvain, collapse", moving, moving.but("model.yield=mohr-coulomb"), steps),
-        ("seepage", "Louvain, start; the bed's particles twice", 
+        ("seepage", "Louvain, start; the bed's particles twice",
          scenes.louvain("model.rest=false", name="plain"),
          scenes.louvain("model.rest=false", "model.seepage=mixture", name="seepage"), steps),
         ("wall friction", "dam break, 2-D", dam.but("model.wall_friction=none"), dam, steps),

@@ -1,7 +1,7 @@
 """The other program of the comparison: DualSPHysics 5.4 built from its sources, and scenes written the way it reads them.
 
-Its own generator of scenes comes as a program without sources, so the two files it would leave are written here: NAME.xml, what is
-computed and how, and NAME.bi4, the particles, in the layout of its classes JBinaryData and JPartDataBi4.
+Its own generator of scenes comes as a program without sources, so the two files it would leave are written here: NAME.xml, what
+is computed and how, and NAME.bi4, the particles, in the layout of its classes JBinaryData and JPartDataBi4.
 """
 
 import pathlib
