@@ -121,7 +121,7 @@ def compare(given, page):
               f"{cost.neighbours * statistics.median(ours_rates) / 1e6:.0f} million useful pairs a CPU second in ours "
               "if a step were one sweep; it is two, one for accelerations and one for density rates, beside the walls' "
               "and the building of lists.")
-    page.figure(f"dam break in space, {n} particles, 113 neighbours: evaluations of the forces a CPU second, one core",
+    page.figure(f"dam break in space, {n} particles, {cost.neighbours:.0f} neighbours: evaluations of the forces a CPU second, one core",
                 f"{statistics.median(ours_rates) / 1e6:.2f} million; DualSPHysics {versions[0]} "
                 f"{statistics.median(their_rates) / 1e6:.2f} million; ratio {measure.shown(ratio)}")
     total = sum(cost.headings.values())
