@@ -121,7 +121,8 @@ std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insis
 std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, const std::string& instruction_set) {
   for (const Core& core : openmp_cores) {
     if (instruction_set != "auto" && instruction_set != core.instruction_set) continue;
-    if (core.runs_here()) return Module(std::string("openmp_") + core.instruction_set).make(input);
+    const char* precision = input.double_pair_sums ? "_double" : "";
+    if (core.runs_here()) return Module(fmt::format("openmp_{}{}", core.instruction_set, precision)).make(input);
   }
   throw InputError("--isa " + instruction_set +
                    ": this processor does not have it; leave --isa away to use the best it has, or name one of avx512, "
@@ -135,8 +136,14 @@ std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const 
   if (backend != "auto" && backend != "openmp" && backend != "cuda") {
     throw InputError("--backend " + backend + ": no such device; use auto, cuda or openmp");
   }
-  // Who names an instruction set means a CPU.
-  const bool may_use_gpu = backend == "cuda" || (backend == "auto" && instruction_set == "auto");
+  if (backend == "cuda" && input.double_pair_sums) {
+    throw InputError(
+        "--backend cuda: pair sums are single there and numerics.precision asks for double; set it to \"single\", or "
+        "use --backend openmp");
+  }
+  // Who names an instruction set or double sums means a CPU.
+  const bool may_use_gpu =
+      backend == "cuda" || (backend == "auto" && instruction_set == "auto" && !input.double_pair_sums);
   auto on_gpu = may_use_gpu ? make_on_gpu(input, backend == "cuda") : nullptr;
   return on_gpu != nullptr ? std::move(on_gpu) : make_on_cores(input, instruction_set);
 }

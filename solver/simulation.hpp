@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -55,6 +56,8 @@ class Simulation {
 
   /// All particles as they are now, for looking at; without ParticleSet::info.
   virtual ParticleSet snapshot() = 0;
+  /// The same in two parts: what it returns makes the particles' set, in any thread, while steps go on.
+  virtual std::function<ParticleSet()> begin_snapshot() = 0;
   /// All that a restart needs, in the order of the neighbour lists; without ParticleSet::info.
   virtual ParticleSet full_state() = 0;
 };
@@ -66,11 +69,13 @@ struct SimulationInput {
   int threads = 0;                         // 0: as many as the machine has cores
   bool profile = false;                    // wait for the device after every heading of the timing
   std::vector<WallMotion> motions = {};    // of the case (make_motions.hpp)
+  bool double_pair_sums = false;           // numerics.precision
 };
 
 /// Makes a simulation on the device `backend` names, "cuda" or "openmp", or with "auto" on the first GPU if there is
 /// one that can be used; on CPU cores with the widest instruction set this processor has, or the one named ("avx512",
-/// "avx2", "baseline"). Throws InputError for a device that is not there, or that is too small for the scene.
+/// "avx2", "baseline"). Pair sums in double are computed on CPU cores only. Throws InputError for a device that is not
+/// there, that does not have the precision, or that is too small for the scene.
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const std::string& backend,
                                             const std::string& instruction_set);
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #if defined(__AVX512F__) || defined(__AVX2__)
@@ -10,13 +12,14 @@
 
 #include "solver/physics/lane_math.hpp"
 
-// Several pairs at a time on a CPU: W floats in one register. A pack is W/4 groups of four lanes; in a sweep group g
-// holds neighbour g and lane l within every group holds particle l of the cluster (solver/backend/openmp.hpp).
+// Several pairs at a time on a CPU: W numbers, float or double, in one register. A pack is W/4 groups of four lanes; in
+// a sweep group g holds neighbour g and lane l within every group holds particle l of the cluster
+// (solver/backend/openmp.hpp).
 // Built on the compiler's vector types, so that SSE, AVX2, AVX-512 and NEON share this text; the few operations the
 // compiler does not turn into one instruction by itself are spelled out below.
 namespace thalweg {
 
-/// The widest pack the instruction set of this translation unit holds.
+/// The widest pack of floats the instruction set of this translation unit holds.
 #if defined(__AVX512F__)
 inline constexpr int native_width = 16;
 #elif defined(__AVX2__)
@@ -25,45 +28,36 @@ inline constexpr int native_width = 8;
 inline constexpr int native_width = 4;
 #endif
 
-template <int W>
-struct Registers;
-template <>
-struct Registers<4> {
-  typedef float Floats __attribute__((vector_size(16)));
-  typedef std::int32_t Integers __attribute__((vector_size(16)));
+template <int W, class Number>
+struct RegisterOf {
+  typedef Number Type __attribute__((vector_size(W * sizeof(Number))));
 };
-template <>
-struct Registers<8> {
-  typedef float Floats __attribute__((vector_size(32)));
-  typedef std::int32_t Integers __attribute__((vector_size(32)));
-};
-template <>
-struct Registers<16> {
-  typedef float Floats __attribute__((vector_size(64)));
-  typedef std::int32_t Integers __attribute__((vector_size(64)));
-};
+template <int W, class Number>
+using Register = typename RegisterOf<W, Number>::Type;
 
-template <int W>
+/// Whole numbers, or conditions: all bits of a lane where it holds, none where it does not.
+template <int W, class Int = std::int32_t>
 struct IntPack {
-  using Vector = typename Registers<W>::Integers;
+  using Vector = Register<W, Int>;
   Vector v;
 
   IntPack() = default;
   IntPack(Vector vector) : v(vector) {}
-  IntPack(std::int32_t value) : v(value - Vector{}) {}
+  IntPack(Int value) : v(value - Vector{}) {}
 
   friend IntPack operator-(IntPack a, IntPack b) { return {a.v - b.v}; }
   friend IntPack operator&(IntPack a, IntPack b) { return {a.v & b.v}; }
 };
 
-template <int W>
+template <int W, class Real = float>
 struct Pack {
-  using Vector = typename Registers<W>::Floats;
+  using Vector = Register<W, Real>;
+  using Condition = IntPack<W, std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t>>;
   Vector v;
 
   Pack() = default;
   Pack(Vector vector) : v(vector) {}
-  Pack(float value) : v(value - Vector{}) {}
+  Pack(Real value) : v(value - Vector{}) {}
 
   friend Pack operator+(Pack a, Pack b) { return a.v + b.v; }
   friend Pack operator-(Pack a, Pack b) { return a.v - b.v; }
@@ -71,13 +65,13 @@ struct Pack {
   friend Pack operator-(Pack a) { return -a.v; }
   Pack& operator+=(Pack b) { return *this = *this + b; }
 
-  friend IntPack<W> operator<(Pack a, Pack b) { return {a.v < b.v}; }
-  friend IntPack<W> operator>(Pack a, Pack b) { return {a.v > b.v}; }
-  friend IntPack<W> operator==(Pack a, Pack b) { return {a.v == b.v}; }
+  friend Condition operator<(Pack a, Pack b) { return {a.v < b.v}; }
+  friend Condition operator>(Pack a, Pack b) { return {a.v > b.v}; }
+  friend Condition operator==(Pack a, Pack b) { return {a.v == b.v}; }
 };
 
-template <int W>
-inline Pack<W> lane_select(IntPack<W> condition, Pack<W> yes, Pack<W> no) {
+template <int W, class Real>
+inline Pack<W, Real> lane_select(typename Pack<W, Real>::Condition condition, Pack<W, Real> yes, Pack<W, Real> no) {
   return condition.v ? yes.v : no.v;
 }
 
@@ -115,27 +109,36 @@ inline std::uint32_t bits_of(IntPack<8> condition) {
 }
 #endif
 
+/// The same numbers in another precision.
+template <class Real, int W, class From>
+inline Pack<W, Real> to_real(Pack<W, From> a) {
+  return __builtin_convertvector(a.v, Register<W, Real>);
+}
+template <class Real, int W>
+inline Pack<W, Real> to_real(IntPack<W> a) {
+  return __builtin_convertvector(a.v, Register<W, Real>);
+}
 template <int W>
 inline Pack<W> to_float(IntPack<W> a) {
-  return __builtin_convertvector(a.v, typename Pack<W>::Vector);
+  return to_real<float>(a);
 }
 
-template <int W>
-inline Pack<W> lane_max(Pack<W> a, Pack<W> b) {
+template <int W, class Real>
+inline Pack<W, Real> lane_max(Pack<W, Real> a, Pack<W, Real> b) {
   return a.v > b.v ? a.v : b.v;
 }
-template <int W>
-inline Pack<W> lane_min(Pack<W> a, Pack<W> b) {
+template <int W, class Real>
+inline Pack<W, Real> lane_min(Pack<W, Real> a, Pack<W, Real> b) {
   return a.v < b.v ? a.v : b.v;
 }
-template <int W>
-inline Pack<W> lane_reciprocal(Pack<W> a) {
-  return Pack<W>(1.0F).v / a.v;
+template <int W, class Real>
+inline Pack<W, Real> lane_reciprocal(Pack<W, Real> a) {
+  return Pack<W, Real>(1).v / a.v;
 }
-template <int W>
-inline Pack<W> lane_sqrt(Pack<W> a) {
-  Pack<W> out;
-  for (int k = 0; k < W; ++k) out.v[k] = __builtin_sqrtf(a.v[k]);
+template <int W, class Real>
+inline Pack<W, Real> lane_sqrt(Pack<W, Real> a) {
+  Pack<W, Real> out;
+  for (int k = 0; k < W; ++k) out.v[k] = std::sqrt(a.v[k]);
   return out;
 }
 
@@ -177,13 +180,17 @@ inline Pack<8> lane_sqrt(Pack<8> a) {
 }
 #endif
 
-template <int W>
-inline void lane_store(float* to, Pack<W> a) {
-  __builtin_memcpy(to, &a.v, sizeof(a.v));
+/// What is kept of a pair is single in any precision, as what is kept of a particle is.
+template <int W, class Real>
+inline void lane_store(float* to, Pack<W, Real> a) {
+  const Pack<W> kept = to_real<float>(a);
+  __builtin_memcpy(to, &kept.v, sizeof(kept.v));
 }
-template <int W>
-inline void lane_load(const float* from, Pack<W>& a) {
-  __builtin_memcpy(&a.v, from, sizeof(a.v));
+template <int W, class Real>
+inline void lane_load(const float* from, Pack<W, Real>& a) {
+  Pack<W> kept;
+  __builtin_memcpy(&kept.v, from, sizeof(kept.v));
+  a = to_real<Real>(kept);
 }
 
 /// Four neighbouring floats of a record; may_alias because a record's first three are integers.
@@ -226,14 +233,14 @@ inline Pack<W> repeat_quad(Quad q) {
 }
 
 /// Lane-wise sum over the groups: entry l is the sum of what particle l met.
-template <int W>
-inline Quad sum_groups(Pack<W> a) {
+template <int W, class Real>
+inline Register<4, Real> sum_groups(Pack<W, Real> a) {
   if constexpr (W == 4) {
     return a.v;
   } else {
-    using Half = typename Pack<W / 2>::Vector;
+    using Half = Register<W / 2, Real>;
     const auto* halves = reinterpret_cast<const Half*>(&a.v);
-    return sum_groups(Pack<W / 2>(halves[0] + halves[1]));
+    return sum_groups(Pack<W / 2, Real>(halves[0] + halves[1]));
   }
 }
 

@@ -48,12 +48,14 @@ struct MomentumSweep {
     for (int k = 0; k < Dim; ++k) sum.force[k] += along * s.r[k] + drag * u[k];
   }
 
-  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+  /// At rest the sum and gravity cancel: they do so in the precision of the sum.
+  template <class Real>
+  HOST_DEVICE void end(Index i, const Sum<Real>& sum) const {
     const Record& r = records[i];
     if (is_resting(r)) return;
     const float specific_volume = 1 / (scene.density_at_rest(r.phase) * (1 + r.excess));
     for (int k = 0; k < Dim; ++k) {
-      rates[i].acceleration[axis<Dim>(k)] = scene.gravity[k] + sum.force[k] * specific_volume;
+      rates[i].acceleration[axis<Dim>(k)] = static_cast<float>(scene.gravity[k] + sum.force[k] * specific_volume);
     }
   }
 };

@@ -34,8 +34,11 @@ Start slumping_tank() {
 }
 
 /// Positions by particle id after so many steps of fixed length.
-std::map<std::int64_t, Vec3> after_steps(const Start& start, const std::string& isa, int threads, int steps) {
-  const auto simulation = make_simulation({start.scene, &start.particles, threads}, "openmp", isa);
+std::map<std::int64_t, Vec3> after_steps(const Start& start, const std::string& isa, int threads, int steps,
+                                         bool double_pair_sums = false) {
+  const auto simulation = make_simulation(
+      {.scene = start.scene, .particles = &start.particles, .threads = threads, .double_pair_sums = double_pair_sums},
+      "openmp", isa);
   for (int n = 0; n < steps; ++n) {
     const StepReport report = simulation->advance(1e-4);
     EXPECT_FALSE(report.diverged);
@@ -77,6 +80,26 @@ TEST(Cores, OfEveryInstructionSetAgree) {
 TEST(Cores, ResultsDoNotDependOnThreads) {
   const Start start = slumping_tank();
   EXPECT_EQ(largest_difference(after_steps(start, "auto", 1, 30), after_steps(start, "auto", 3, 30)), 0);
+  EXPECT_EQ(largest_difference(after_steps(start, "auto", 1, 10, true), after_steps(start, "auto", 3, 10, true)), 0);
+}
+
+TEST(Cores, InDoubleMoveAsInSingleButForItsRounding) {
+  // The bound is that of OfEveryInstructionSetAgree.
+  const Start start = slumping_tank();
+  for (const char* isa : {"baseline", "avx2", "avx512"}) {
+    try {
+      const auto in_single = after_steps(start, isa, 1, 20);
+      const auto in_double = after_steps(start, isa, 1, 20, true);
+      double moved = 0;
+      for (std::size_t i = 0; i < start.particles.size(); ++i) {
+        moved = std::max(moved, (in_single.at(start.particles.id[i]) - start.particles.position[i]).norm());
+      }
+      EXPECT_GT(largest_difference(in_single, in_double), 0) << isa;
+      EXPECT_LT(largest_difference(in_single, in_double), 1e-3 * moved) << isa;
+    } catch (const InputError&) {
+      std::cout << "this processor has no " << isa << "\n";
+    }
+  }
 }
 
 TEST(Cores, ContinueInSpaceWithMohrCoulombBitForBit) {
@@ -120,6 +143,21 @@ TEST(Cores, RefuseWhatIsNotThere) {
   const Start start = slumping_tank();
   EXPECT_THROW(make_simulation({start.scene, &start.particles, 1}, "cuda", "auto"), InputError);
   EXPECT_THROW(make_simulation({start.scene, &start.particles, 1}, "openmp", "mmx"), InputError);
+  try {
+    make_simulation({.scene = start.scene, .particles = &start.particles, .double_pair_sums = true}, "cuda", "auto");
+    FAIL() << "double sums on a GPU";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("numerics.precision"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Cores, TakeTheCpuForDoubleSumsAndSaySo) {
+  const Start start = slumping_tank();
+  const auto simulation = make_simulation(
+      {.scene = start.scene, .particles = &start.particles, .threads = 1, .double_pair_sums = true}, "auto", "auto");
+  const std::string device = simulation->facts().device;
+  EXPECT_EQ(device.find("OpenMP"), 0U) << device;
+  EXPECT_NE(device.find("pair sums in double"), std::string::npos) << device;
 }
 
 }  // namespace
