@@ -126,11 +126,13 @@ def write_scene(folder, scene, walls, fluid, velocity, density):
     return case
 
 
-def take_steps(program, case, steps):
-    """So many steps on one thread; processor time [s] of the whole process, and what the program wrote."""
+def take_steps(program, case, steps, cells):
+    """So many steps on one thread, particles sorted into cells ("full": as wide as the support, the program's own choice;
+    "half": half as wide); processor time [s] of the whole process, and what the program wrote."""
     out = case.parent / "out"
     shutil.rmtree(out, ignore_errors=True)
-    used = call(program, case, out, "-cpu", "-ompthreads:1", f"-nsteps:{steps}", "-sv:none")
+    used = call(program, case, out, "-cpu", "-ompthreads:1", f"-nsteps:{steps}", f"-cellmode:{cells}",
+                "-sv:none")
     log = (out / "Run.out").read_text(encoding="latin-1")
     taken = re.search(r"Steps of simulation\.+: ([\d,]+)", log)
     if taken is None or int(taken.group(1).replace(",", "")) != steps:

@@ -25,6 +25,7 @@ SCENE = {"name": "collapse", "spacing": 0.008, "smoothing_length": 0.012, "densi
          "artificial_viscosity": 0.02, "density_diffusion": 0.1, "cfl": 0.2}
 TANK = (1.6, 0.672, 0.4)     # [m]
 COLUMN = (0.4, 0.672, 0.304)  # [m] 50 x 84 x 38 particles
+CELLS = {"full": "as wide as the support (its default)", "half": "half as wide"}
 CASE = """
 [case]
 name = "collapse"
@@ -99,31 +100,37 @@ def compare(given, page):
         cost = measure.solve(given.thalweg, run, "--restart", state, "--benchmark", given.steps)
         return n * cost.steps / cost.cpu, cost
 
-    start_of_theirs = statistics.median(dualsphysics.take_steps(program, case, 1)[0] for _ in range(3))
+    def evaluations_of_theirs(cells, start):
+        cpu, log = dualsphysics.take_steps(program, case, given.peer_steps, cells)
+        return 2 * n * (given.peer_steps - 1) / (cpu - start), dualsphysics.version(log)
 
-    def evaluations_of_theirs():
-        cpu, log = dualsphysics.take_steps(program, case, given.peer_steps)
-        return 2 * n * (given.peer_steps - 1) / (cpu - start_of_theirs), dualsphysics.version(log)
-
-    found = measure.in_turn({"Thalweg": evaluations_of_ours, "DualSPHysics": evaluations_of_theirs}, given.repeats)
+    starts = {cells: statistics.median(dualsphysics.take_steps(program, case, 1, cells)[0] for _ in range(3))
+              for cells in CELLS}
+    found = measure.in_turn({"Thalweg": evaluations_of_ours} |
+                            {cells: lambda cells=cells: evaluations_of_theirs(cells, starts[cells]) for cells in CELLS},
+                            given.repeats)
     ours_rates, costs = zip(*found["Thalweg"])
-    their_rates, versions = zip(*found["DualSPHysics"])
-    ratio = measure.ratios(ours_rates, their_rates)
     cost = costs[0]
+    their_rates = {cells: [rate for rate, _ in found[cells]] for cells in CELLS}
+    version = found["full"][0][1]
+    ratios = {cells: measure.ratios(ours_rates, their_rates[cells]) for cells in CELLS}
     page.table(f"3-D dam break, {n} fluid particles, smoothing length 1.5 spacings, from {given.start} s after the "
                f"collapse began; {given.repeats} runs each in turn: median (least to largest)",
-               ["program", "million evaluations/CPU s", "steps", "evaluations a step", "walls", "lists built"],
-               [["Thalweg, leapfrog", measure.Spread.of(r / 1e6 for r in ours_rates), cost.steps, 1,
+               ["program", "million evaluations/CPU s", "ours over it, pair by pair", "steps", "evaluations a step", "walls",
+                "lists built"],
+               [["Thalweg, leapfrog", measure.Spread.of(r / 1e6 for r in ours_rates), "", cost.steps, 1,
                  cost.particles - cost.fluid, f"{cost.rebuilds}"],
-                [f"DualSPHysics {versions[0]}, symplectic, {dualsphysics.FLAGS}",
-                 measure.Spread.of(r / 1e6 for r in their_rates), given.peer_steps, 2, n_walls, "every step"]])
-    page.note(f"**Ratio, pair by pair: {measure.shown(ratio)}.** {cost.neighbours:.0f} neighbours in the support, "
-              f"{cost.neighbours * statistics.median(ours_rates) / 1e6:.0f} million useful pairs a CPU second in ours "
-              "if a step were one sweep; it is two, one for accelerations and one for density rates, beside the walls' "
-              "and the building of lists.")
-    page.figure(f"dam break in space, {n} particles, 113 neighbours: evaluations of the forces a CPU second, one core",
-                f"{statistics.median(ours_rates) / 1e6:.2f} million; DualSPHysics {versions[0]} "
-                f"{statistics.median(their_rates) / 1e6:.2f} million; ratio {measure.shown(ratio)}")
+                *([f"DualSPHysics {version}, symplectic, {dualsphysics.FLAGS}, cells {CELLS[cells]}",
+                   measure.Spread.of(r / 1e6 for r in their_rates[cells]), ratios[cells], given.peer_steps, 2, n_walls,
+                   "every step"] for cells in CELLS)])
+    pairs = cost.neighbours * statistics.median(ours_rates) / 1e6
+    page.note(f"{cost.neighbours:.0f} neighbours in the support; ours meets {pairs:.0f} million of them a CPU second in each of two "
+              "sweeps, one for accelerations and one for density rates, beside what walls and lists take.")
+    for cells, words in CELLS.items():
+        page.figure(f"dam break in space, {n} particles, {cost.neighbours:.0f} neighbours: evaluations of the forces a CPU "
+                    f"second, one core; beside DualSPHysics {version} with cells {words}",
+                    f"{statistics.median(ours_rates) / 1e6:.2f} million; {statistics.median(their_rates[cells]) / 1e6:.2f} "
+                    f"million; ratio {measure.shown(ratios[cells])}")
     total = sum(cost.headings.values())
     page.table("Where ours spends its time", ["line of the step", "share"],
                [[name, f"{100 * seconds / total:.1f} %"]

@@ -13,6 +13,7 @@ import pathlib
 import re
 import shutil
 import sys
+from dataclasses import dataclass
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
@@ -84,12 +85,34 @@ def scene(dimension, particles, with_bed):
                        high_fluid=lengths(*extent, depth), bed=bed, spacing=SPACING)
 
 
-def cost_of_steps(given, run, few, many, threads, *options):
-    """Two runs; [ns] of processor time and of the clock a particle and step of those that the longer one takes more."""
+@dataclass
+class Steps:
+    """What the steps cost that the longer of two runs takes more, of one scene: [ns] a fluid particle."""
+    last: measure.Cost  # the longer run
+    cpu: float          # processor time a step
+    wall: float         # by the clock a step
+    lists: float        # processor time a step for refresh_neighbours
+    solve: float        # processor time an iteration of the viscous solve; nan without
+
+    @property
+    def rest(self):
+        """Processor time a step without the viscous solve, whose number of iterations is another matter."""
+        return self.cpu - (0 if math.isnan(self.solve) else self.solve * self.last.iterations)
+
+
+def measured_steps(given, run, few, many, threads, *options):
     short, long = (measure.solve(given.thalweg, run, "--benchmark", steps, *options, threads=threads)
                    for steps in (few, many))
-    per = 1e9 / (long.fluid * (long.steps - short.steps))
-    return (long.cpu - short.cpu) * per, (long.wall - short.wall) * per, long
+    steps = long.steps - short.steps
+    per = 1e9 / long.fluid
+    iterations = long.iterations * long.steps - short.iterations * short.steps
+
+    def spent(heading):  # timing.csv is by the clock
+        return sum(sign * cost.headings.get(heading, 0) * cost.cpu / cost.wall for sign, cost in ((1, long), (-1, short)))
+
+    return Steps(long, (long.cpu - short.cpu) * per / steps, (long.wall - short.wall) * per / steps,
+                 spent("refresh_neighbours") * per / steps,
+                 spent("solve_viscosity") * per / iterations if iterations > 0 else math.nan)
 
 
 def sizes(given, page, dimension, with_bed, numbers):
@@ -98,27 +121,29 @@ def sizes(given, page, dimension, with_bed, numbers):
         folder = measure.write_case(scene(dimension, number, with_bed), given.out / f"{dimension}d-{with_bed:d}-{number}")
         run = measure.fill(given.thalweg, folder, folder / "run")
         many = 2 + max(4, min(2000, int(given.work / number)))
-        turns = measure.in_turn({"step": lambda: cost_of_steps(given, run, 2, many, 1),
-                                 "lists": lambda: cost_of_steps(given, run, 2, 2 + max(2, many // 8), 1, "--set",
-                                                                "numerics.list_skin=0")},
+        turns = measure.in_turn({f"{number}": lambda: measured_steps(given, run, 2, many, 1),
+                                 f"{number}, lists in each step": lambda: measured_steps(
+                                     given, run, 2, 2 + max(2, many // 8), 1, "--set", "numerics.list_skin=0")},
                                 1 if number > 3e6 else given.repeats)
-        cpu = measure.Spread.of(t[0] for t in turns["step"])
-        built = measure.Spread.of(t[0] - cpu.median for t in turns["lists"])
-        cost = turns["step"][0][2]
-        rows.append([cost.fluid, cpu, built, cost.iterations, cost.bytes * cost.particles / cost.fluid, cost.bytes,
-                     cost.peak / cost.particles, f"{cost.rebuilds} in {cost.steps}"])
+        taken, building = turns.values()
+        cost = taken[0].last
+        rows.append([cost.fluid, measure.Spread.of(t.rest for t in taken),
+                     measure.Spread.of(t.solve for t in taken) if with_bed else "-",
+                     measure.Spread.of(t.lists for t in building),
+                     cost.bytes * cost.particles / cost.fluid, cost.peak / cost.particles, cost.steps])
         if number > 1e6:
             shutil.rmtree(folder)  # gigabytes
-    page.table(f"{dimension}-D, {'water over a bed' if with_bed else 'water'}, one thread; particles are fluid, and walls are "
-               f"{cost.particles / cost.fluid - 1:.0%} of them beside",
-               ["particles", "CPU ns a particle-step", "CPU ns a particle to build lists", "viscous iterations a step",
-                "bytes of arrays a fluid particle", "bytes of arrays a particle", "peak memory a particle, reading included",
-                "lists built"], rows)
+    name = f"{dimension}-D, {'water over a bed' if with_bed else 'water'}"
+    page.table(f"{name}, one thread; as many walls as {cost.particles / cost.fluid - 1:.0%} of the particles beside",
+               ["particles", "CPU ns a particle-step, no lists built, without the viscous solve",
+                "CPU ns a particle and viscous iteration", "CPU ns a particle to build lists",
+                "bytes of arrays a fluid particle", "peak memory a particle, reading included", "steps"], rows)
     least, most = (pick(r[1].median for r in rows) for pick in (min, max))
     page.note(f"Dearest over cheapest: {most / least:.2f}.")
-    page.figure(f"{dimension}-D, {'water over a bed' if with_bed else 'water'}, {rows[0][0]} to {rows[-1][0]} particles: CPU time a "
-                "particle-step, one core", f"{least:.0f} to {most:.0f} ns; lists {min(r[2].median for r in rows):.0f} to "
-                f"{max(r[2].median for r in rows):.0f} ns each time; {rows[-1][5]:.0f} bytes a particle")
+    page.figure(f"{name}, {rows[0][0]} to {rows[-1][0]} particles: CPU time a particle-step, one core",
+                f"{least:.0f} to {most:.0f} ns{' and the viscous solve' if with_bed else ''}; lists "
+                f"{min(r[3].median for r in rows):.0f} to {max(r[3].median for r in rows):.0f} ns each time; "
+                f"{rows[-1][4]:.0f} bytes a particle")
 
 
 def threads(given, page):
@@ -129,13 +154,13 @@ def threads(given, page):
         folder = measure.write_case(scene(dimension, number, with_bed), given.out / f"threads-{dimension}d-{with_bed:d}")
         run = measure.fill(given.thalweg, folder, folder / "run")
         many = 2 + max(10, int(given.work / number))
-        turns = measure.in_turn({f"{name}, {n} threads": lambda n=n: cost_of_steps(given, run, 2, many, n) for n in (1, 2)},
-                                given.repeats)
+        turns = measure.in_turn({f"{name}, {n} threads": lambda n=n: measured_steps(given, run, 2, many, n)
+                                 for n in (1, 2)}, given.repeats)
         one, two = turns.values()
-        rows.append([name, one[0][2].fluid, measure.Spread.of(t[1] for t in one), measure.Spread.of(t[1] for t in two),
-                     measure.ratios((t[1] for t in one), (t[1] for t in two)),
-                     measure.ratios((t[0] for t in two), (t[0] for t in one))])
-        page.figure(f"second thread, {rows[-1][0]}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} times as fast")
+        rows.append([name, one[0].last.fluid, measure.Spread.of(t.wall for t in one), measure.Spread.of(t.wall for t in two),
+                     measure.ratios((t.wall for t in one), (t.wall for t in two)),
+                     measure.ratios((t.cpu for t in two), (t.cpu for t in one))])
+        page.figure(f"second thread, {name}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} times as fast")
     page.table("One thread and two, in turn; by the clock, which needs a machine with nothing else to do",
                ["scene", "particles", "ns a particle-step, one", "two", "gain", "processor time of two over one"], rows)
 
