@@ -174,8 +174,9 @@ struct OpenMp {
     }
   }
 
-  /// found(j) for the j in [begin, end) that pass `test`, in order. test takes the places of several particles, one
-  /// integer lane a direction; each of `places` can be read filter_overrun entries beyond its last.
+  /// found(j) for the j in [begin, end) that pass `test`, in order; if it has of_bits, that for W of them at a time,
+  /// with a bit set for each that passes. test takes the places of several particles, one integer lane a direction;
+  /// each of `places` can be read filter_overrun entries beyond its last.
   template <int Dim, class Test, class Found>
   static void filter(const Vec<Dim, const std::int32_t*>& places, Index begin, Index end, const Test& test,
                      const Found& found) {
@@ -185,6 +186,10 @@ struct OpenMp {
       for (int k = 0; k < Dim; ++k) __builtin_memcpy(&place[k].v, places[k] + j, sizeof(place[k].v));
       std::uint32_t bits = bits_of(test(place));
       if (end - j < W) bits &= (1U << (end - j)) - 1;
+      if constexpr (requires { found.of_bits(bits); }) {
+        found.of_bits(bits);
+        continue;
+      }
       for (; bits != 0; bits &= bits - 1) found(j + static_cast<Index>(__builtin_ctz(bits)));
     }
   }
@@ -361,9 +366,10 @@ struct OpenMp {
     for (Index e = list.begin[cluster]; e < end; e += groups) {
       const Index* j = list.entries + e;
       for (int g = 0; g < groups; ++g) __builtin_prefetch(records + j[list_prefetch + g]);
-      const LaneOf<Dim> b = read_lane<Dim, Body::quads>([&](int q) {
-        return join_quads<pairs>([&](int g) { return reinterpret_cast<const Quad*>(records + j[g]) + q; });
-      });
+      const Quad* neighbour[groups];
+      for (int g = 0; g < groups; ++g) neighbour[g] = reinterpret_cast<const Quad*>(records + j[g]);
+      const LaneOf<Dim> b = read_lane<Dim, Body::quads>(
+          [&](int q) { return join_quads<pairs>([&](int g) { return neighbour[g] + q; }); });
       Separation<Dim, L> s{};
       for (int k = 0; k < Dim; ++k) s.r[k] = to_real<Real>(a.place[k] - b.place[k]) * L(quantum[k]);
       s.r2 = dot(s.r, s.r);

@@ -218,6 +218,16 @@ template <int W, class From>
 inline Pack<W> join_quads(const From& from) {
   if constexpr (W == 4) {
     return typename Pack<4>::Vector(*from(0));
+#if defined(__AVX512F__)
+  } else if constexpr (W == 16) {
+    // Loads that write a quarter each: no shuffles, of which a sweep has enough.
+    const auto quad = [&](int g) { return reinterpret_cast<const float*>(from(g)); };
+    __m512 joined = _mm512_castps128_ps512(_mm_load_ps(quad(0)));
+    joined = _mm512_mask_broadcast_f32x4(joined, 0x00f0, _mm_load_ps(quad(1)));
+    joined = _mm512_mask_broadcast_f32x4(joined, 0x0f00, _mm_load_ps(quad(2)));
+    joined = _mm512_mask_broadcast_f32x4(joined, 0xf000, _mm_load_ps(quad(3)));
+    return typename Pack<W>::Vector(joined);
+#endif
   } else {
     using Half = typename Pack<W / 2>::Vector;
     const Half low = join_quads<W / 2>(from).v;

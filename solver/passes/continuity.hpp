@@ -26,18 +26,18 @@ struct ContinuitySweep {
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
-    const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
-    add(a, b, s, F, sum);
+    const L weight = b.volume * scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
+    sum.compression += weight * dot(a.velocity - b.velocity, s.r);
+    sum.diffusion += diffusion(a, b, s, weight);
   }
 
-  template <class LaneT, class Sep, class L, class S>
-  HOST_DEVICE void add(const LaneT& a, const LaneT& b, const Sep& s, const L& F, S& sum) const {
-    sum.compression += b.volume * F * dot(a.velocity - b.velocity, s.r);
-    const float per_c2 = 1 / (scene.sound_speed * scene.sound_speed);
-    L g_dot_r = s.r[0] * L(scene.gravity[0] * per_c2);
-    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + s.r[k] * L(scene.gravity[k] * per_c2);
-    const L psi = density_diffusion(a.excess, b.excess, g_dot_r, F);
-    sum.diffusion += lane_select(a.phase == b.phase, b.volume * psi, L(0.0F));
+  /// V_b psi_ab of particles of one phase; weight = V_b F.
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE L diffusion(const LaneT& a, const LaneT& b, const Sep& s, const L& weight) const {
+    L g_dot_r = s.r[0] * L(scene.gravity[0]);
+    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + s.r[k] * L(scene.gravity[k]);
+    const L per_c2(1 / (scene.sound_speed * scene.sound_speed));
+    return lane_select(a.phase == b.phase, density_diffusion(a.excess, b.excess, g_dot_r * per_c2, weight), L(0.0F));
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const { end(i, sum.compression, sum.diffusion); }
@@ -50,14 +50,14 @@ struct ContinuitySweep {
 
 /// The same sweep where sediment is about: takes the velocity gradient along. The gradient
 ///   G = sum_b V_b (u_b - u_a) (x) grad W   is corrected by   B = sum_b V_b (x_b - x_a) (x) grad W,   grad u = G B^-1
-/// (exact for a linear velocity field), from which gdot = sqrt(2 D:D), D the deviatoric symmetric part.
+/// (exact for a linear velocity field), from which gdot = sqrt(2 D:D), D the deviatoric symmetric part. The compression
+/// is -tr G.
 template <int Dim>
 struct ContinuityAndStrainSweep {
   static constexpr unsigned quads = ContinuitySweep<Dim>::quads;
   static constexpr int symmetric = Dim * (Dim + 1) / 2;
   template <class L>
   struct Sum {
-    L compression;
     L diffusion;
     L gradient[Dim][Dim];  // G[i][j] = d u_i / d x_j before correction
     L moment[symmetric];   // B, upper triangle row by row
@@ -69,19 +69,26 @@ struct ContinuityAndStrainSweep {
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
     const Scene<Dim>& scene = continuity.scene;
-    const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
-    continuity.add(a, b, s, F, sum);
-    const L weight = -b.volume * F;  // grad W = F r, x_b - x_a = -r
+    const L weight = b.volume * scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
+    sum.diffusion += continuity.diffusion(a, b, s, weight);
+    add_gradients(b.velocity - a.velocity, s, weight, sum);
+  }
+
+  /// u = u_b - u_a, weight = V_b F.
+  template <class Sep, class L>
+  HOST_DEVICE static void add_gradients(const Vec<Dim, L>& u, const Sep& s, const L& weight, Sum<L>& sum) {
     int m = 0;
     for (int j = 0; j < Dim; ++j) {
-      const L weighted = weight * s.r[j];
-      for (int i = 0; i < Dim; ++i) sum.gradient[i][j] += weighted * (a.velocity[i] - b.velocity[i]);
-      for (int i = j; i < Dim; ++i) sum.moment[m++] += weighted * s.r[i];
+      const L weighted = weight * s.r[j];  // grad W = F r
+      for (int i = 0; i < Dim; ++i) sum.gradient[i][j] += weighted * u[i];
+      for (int i = j; i < Dim; ++i) sum.moment[m++] += -weighted * s.r[i];  // x_b - x_a = -r
     }
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
-    continuity.end(i, sum.compression, sum.diffusion);
+    float compression = 0;
+    for (int k = 0; k < Dim; ++k) compression -= sum.gradient[k][k];
+    continuity.end(i, compression, sum.diffusion);
     const StrainRate strain = strain_rate(sum);
     sediment[i].strain_rate = strain.magnitude;
     sediment[i].lode_sine = strain.lode_sine;

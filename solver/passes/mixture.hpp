@@ -403,20 +403,8 @@ struct MixtureContinuitySweep {
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
     const Scene<Dim>& scene = own.continuity.scene;
     const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
-    const L weight = -mixture::volume_seen(a, b) * F;
-    const Vec<Dim, L> u = a.work - b.work;
-    sum.compression += -weight * dot(u, s.r);
-    const float per_c2 = 1 / (scene.sound_speed * scene.sound_speed);
-    L g_dot_r = s.r[0] * L(scene.gravity[0] * per_c2);
-    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + s.r[k] * L(scene.gravity[k] * per_c2);
-    const L psi = density_diffusion(a.excess, b.excess, g_dot_r, F);
-    sum.diffusion += lane_select(a.phase == b.phase, b.volume * psi, L(0.0F));
-    int m = 0;
-    for (int j = 0; j < Dim; ++j) {
-      const L weighted = weight * s.r[j];
-      for (int i = 0; i < Dim; ++i) sum.gradient[i][j] += weighted * u[i];
-      for (int i = j; i < Dim; ++i) sum.moment[m++] += weighted * s.r[i];
-    }
+    sum.diffusion += own.continuity.diffusion(a, b, s, b.volume * F);
+    own.add_gradients(b.work - a.work, s, mixture::volume_seen(a, b) * F, sum);
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {

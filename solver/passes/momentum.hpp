@@ -33,7 +33,7 @@ struct MomentumSweep {
     const auto same_phase = a.phase == b.phase;
     const L rho0 = lane_select(a.phase > L(phase_water + 0.5F), L(scene.sediment_density), L(scene.water_density));
     const L strength = lane_select(same_phase, rho0 * L(scene.artificial_viscosity), L(0.0F));
-    const L along = -weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, s.r), inverse, strength));
+    const L along = -(weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, s.r), inverse, strength)));
 
     const auto a_water = a.phase < L(phase_water + 0.5F);
     L eta = lane_select(same_phase & a_water, L(scene.water_viscosity), L(0.0F));

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <vector>
 
-#include "solver/morton.hpp"
+#include "solver/hilbert.hpp"
 #include "solver/passes/time_step.hpp"
 
-// Neighbour lists: particles are sorted along a Morton curve of cells one list reach wide, and every cluster of four
+// Neighbour lists: particles are sorted along a Hilbert curve of cells one list reach wide, and every cluster of four
 // consecutive ones gets one list of all particles within reach of any of them. The reach exceeds the kernel's support
 // by a skin, so that a list serves until some particle has crossed half the skin.
 namespace thalweg {
@@ -103,58 +104,91 @@ struct ClusterSearch {
     }
   };
 
-  /// found(j) for particles of the cells around the box of cells [low, high] that lie within reach of a member in
-  /// [from, to) but of none in [already, from).
+  /// Where members lie, counted in 2^-32 of a list cell.
+  struct Box {
+    Vec<Dim, std::int64_t> low{};
+    Vec<Dim, std::int64_t> high{};
+  };
+
+  /// Square of the distance along k from a box to a list cell [m^2].
+  HOST_DEVICE float squared_gap(const Box& box, int k, std::int64_t cell) const {
+    const std::int64_t below = box.low[k] - ((cell + 1) << 32);
+    const std::int64_t above = (cell << 32) - box.high[k];
+    const auto gap = static_cast<float>(std::max<std::int64_t>(0, std::max(below, above)));
+    const float d = gap * lattice.quantum[k] / static_cast<float>(lattice.cells[k]);
+    return d * d;
+  }
+
+  /// found(j) for particles of the cells in reach of a box that lie within reach of a member in [from, to) but of none
+  /// in [already, from).
   template <class Found>
-  HOST_DEVICE void visit(const Vec<Dim, std::int64_t>& low, const Vec<Dim, std::int64_t>& high, Index already,
-                         Index from, Index to, int sections, const Found& found) const {
+  HOST_DEVICE void visit(const Box& box, Index already, Index from, Index to, int sections, const Found& found) const {
+    constexpr float rounding = 1.0001F;  // of the gaps
     Vec<Dim, std::int64_t> first{};
     Vec<Dim, std::int64_t> last{};
+    bool once_around[Dim];
     for (int k = 0; k < Dim; ++k) {
-      first[k] = low[k] - 1;
-      last[k] = high[k] + 1;
-      // Once around a short period and no further.
-      if (table.period[k] != 0 && last[k] - first[k] >= table.period[k]) last[k] = first[k] + table.period[k] - 1;
+      first[k] = (box.low[k] >> 32) - 1;
+      last[k] = (box.high[k] >> 32) + 1;
+      // Once around a short period and no further; the cells are then near both ways.
+      once_around[k] = table.period[k] != 0 && last[k] - first[k] >= table.period[k];
+      if (once_around[k]) last[k] = first[k] + table.period[k] - 1;
     }
+    const auto gap = [&](int k, std::int64_t c) { return once_around[k] ? 0 : squared_gap(box, k, c); };
+    Vec<Dim, float> gap2{};
+    for (int k = 0; k < Dim; ++k) gap2[k] = gap(k, first[k]);
     const Within within{*this, already, from, to};
     Vec<Dim, std::int64_t> cell = first;
     while (true) {
-      const std::int64_t n = table.number(cell);
+      float distance2 = gap2[0];
+      for (int k = 1; k < Dim; ++k) distance2 += gap2[k];
+      const std::int64_t n = distance2 < rounding * reach2 ? table.number(cell) : -1;
       for (int s = 0; n >= 0 && s < sections; ++s) {
         Device::template filter<Dim>(places, table.begin[s][n], table.end[s][n], within, found);
       }
       int k = 0;
-      for (; k < Dim && ++cell[k] > last[k]; ++k) cell[k] = first[k];
+      for (; k < Dim && ++cell[k] > last[k]; ++k) {
+        cell[k] = first[k];
+        gap2[k] = gap(k, cell[k]);
+      }
       if (k == Dim) return;
+      gap2[k] = gap(k, cell[k]);
     }
+  }
+
+  HOST_DEVICE Box box_of(Index first, Index last) const {
+    Box box{};
+    for (Index m = first; m < last; ++m) {
+      for (int k = 0; k < Dim; ++k) {
+        const auto at = static_cast<std::int64_t>(
+            std::uint64_t{static_cast<std::uint32_t>(records[m].place[axis<Dim>(k)])} * lattice.cells[k]);
+        box.low[k] = m == first ? at : std::min(box.low[k], at);
+        box.high[k] = m == first ? at : std::max(box.high[k], at);
+      }
+    }
+    return box;
   }
 
   /// found(j) for the neighbours of cluster members [first, last); walls need only fluid neighbours (sections = 1).
   template <class Found>
   HOST_DEVICE void search(Index first, Index last, int sections, const Found& found) const {
-    Vec<Dim, std::int64_t> low{};
-    Vec<Dim, std::int64_t> high{};
+    const Box box = box_of(first, last);
     std::int64_t widest = 0;
-    for (Index m = first; m < last; ++m) {
-      const auto cell = cell_of<Dim>(lattice, records[m].place, 0);
-      for (int k = 0; k < Dim; ++k) {
-        low[k] = m == first ? cell[k] : std::min<std::int64_t>(low[k], cell[k]);
-        high[k] = m == first ? cell[k] : std::max<std::int64_t>(high[k], cell[k]);
-        widest = std::max(widest, high[k] - low[k]);
-      }
-    }
+    for (int k = 0; k < Dim; ++k) widest = std::max(widest, (box.high[k] >> 32) - (box.low[k] >> 32));
     if (widest <= 1) {
-      visit(low, high, first, first, last, sections, found);
+      visit(box, first, first, last, sections, found);
       return;
     }
     // Four in a row that lie far apart (isolated grains, the edge of the domain): around each by itself.
-    for (Index m = first; m < last; ++m) {
-      const auto cell = cell_of<Dim>(lattice, records[m].place, 0);
-      Vec<Dim, std::int64_t> own{};
-      for (int k = 0; k < Dim; ++k) own[k] = cell[k];
-      visit(own, own, first, m, m + 1, sections, found);
-    }
+    for (Index m = first; m < last; ++m) visit(box_of(m, m + 1), first, m, m + 1, sections, found);
   }
+};
+
+/// Counts what a search finds, many at a time where a backend looks at many at a time.
+struct Count {
+  Index& n;
+  HOST_DEVICE void operator()(Index) const { ++n; }
+  void of_bits(std::uint32_t bits) const { n += static_cast<Index>(std::popcount(bits)); }
 };
 
 /// A wall that moves and has no volume is parked, not excluded (passes/moving_walls.hpp).
@@ -203,9 +237,12 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
     Index* o = order.data();
     const Lattice<Dim> lattice = scene.lattice;
     const Index* motion = motions_of(p);
+    std::uint32_t most_cells = 1;
+    for (int k = 0; k < Dim; ++k) most_cells = std::max(most_cells, static_cast<std::uint32_t>(lattice.cells[k]));
+    const int bits = static_cast<int>(std::bit_width(most_cells - 1)) + fine_bits;
     on.for_each(p.count, [=] HOST_DEVICE(Index i) {
       const Record& r = records[i];
-      std::uint64_t k = morton_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits));
+      std::uint64_t k = hilbert_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits), bits);
       if (r.phase == phase_wall) k |= wall_section;
       if (is_excluded(r, motion, i)) k |= excluded_section;
       keys[i] = k;
@@ -348,8 +385,7 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
     Index* c = counts.data();
     on.for_each(p.clusters, [=] HOST_DEVICE(Index cluster) {
       Index n = 0;
-      search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1,
-                    [&](Index) { ++n; });
+      search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1, Count{n});
       c[cluster] = (n + list_padding - 1) / list_padding * list_padding;
     });
   }
@@ -359,21 +395,30 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
 
   constexpr std::uint8_t reaches_sediment = 1, reaches_water = 2, has_sediment = 4;
   typename Device::template Buffer<std::uint8_t> about;
+  typename Device::template Buffer<std::uint8_t> phase;  // a byte a particle, where a record is a line of the cache
   about.resize(p.clusters);
+  phase.resize(p.count);
+  {
+    const Record* records = p.record.data();
+    std::uint8_t* to = phase.data();
+    on.for_each(p.count, [=] HOST_DEVICE(Index i) {
+      const float is = records[i].phase;
+      to[i] = is == phase_sediment ? reaches_sediment : is == phase_water ? reaches_water : std::uint8_t{0};
+    });
+  }
   {
     Index* entries = p.list_entries.data();
     std::uint8_t* flags = about.data();
-    const Record* records = p.record.data();
+    const std::uint8_t* reaches = phase.data();
     on.for_each(p.clusters, [=] HOST_DEVICE(Index cluster) {
       Index at = list.begin[cluster];
       std::uint8_t f = 0;
       for (Index i = list.first(cluster); i < list.last(cluster); ++i) {
-        if (records[i].phase == phase_sediment) f |= has_sediment;
+        if (reaches[i] == reaches_sediment) f |= has_sediment;
       }
       search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1, [&](Index j) {
         entries[at++] = j;
-        if (records[j].phase == phase_sediment) f |= reaches_sediment;
-        if (records[j].phase == phase_water) f |= reaches_water;
+        f |= reaches[j];
       });
       for (; at < list.begin[cluster + 1]; ++at) entries[at] = list.count;
       flags[cluster] = f;

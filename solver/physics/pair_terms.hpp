@@ -21,7 +21,7 @@ HOST_DEVICE inline L density_diffusion(const L& d_a, const L& d_b, const L& grav
 /// strength = rho0 alpha c h [Pa s]. Zero for receding pairs.
 template <class L>
 HOST_DEVICE inline L artificial_viscous_pressure(const L& u_dot_r, const L& inverse_r2_eps, const L& strength) {
-  return -strength * lane_min(u_dot_r, L(0)) * inverse_r2_eps;
+  return -(strength * lane_min(u_dot_r, L(0)) * inverse_r2_eps);
 }
 
 /// Viscous exchange coefficient of a pair, Morris et al. 1997 with a viscosity of each particle:

@@ -27,7 +27,7 @@ ALLOWED = {
 }
 # Headers in solver/ that say what the particles are; passes and backends stand on them. The rest of solver/ is the step
 # and the program around it.
-SOLVER_DATA = {f"solver/{name}.hpp" for name in ("cluster_list", "lattice", "morton", "particles", "record", "scene",
+SOLVER_DATA = {f"solver/{name}.hpp" for name in ("cluster_list", "hilbert", "lattice", "particles", "record", "scene",
                                                       "seepage_scene", "wall_motion")}
 # Foreign header: the layers that may include it.
 FOREIGN = {

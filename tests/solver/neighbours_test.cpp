@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "scenes.hpp"
@@ -40,6 +41,32 @@ void expect_complete(const Loaded<Dim>& l) {
       }
     }
   }
+}
+
+/// Whether the curve through 2^bits cells a side takes every cell once, and from each goes on through one of its faces.
+template <int Dim>
+void expect_unbroken(int bits) {
+  const std::uint32_t side = 1U << bits;
+  std::map<std::uint64_t, Vec<Dim, std::uint32_t>> along;
+  for (std::uint32_t n = 0; n < 1U << (bits * Dim); ++n) {
+    Vec<Dim, std::uint32_t> cell{};
+    for (int k = 0; k < Dim; ++k) cell[k] = (n >> (k * bits)) % side;
+    along[hilbert_code<Dim>(cell, bits)] = cell;
+  }
+  ASSERT_EQ(along.size(), 1U << (bits * Dim));
+  ASSERT_EQ(along.rbegin()->first, (1U << (bits * Dim)) - 1);
+  for (auto to = std::next(along.begin()), from = along.begin(); to != along.end(); from = to++) {
+    int steps = 0;
+    for (int k = 0; k < Dim; ++k)
+      steps += std::abs(static_cast<int>(to->second[k]) - static_cast<int>(from->second[k]));
+    ASSERT_EQ(steps, 1) << "after cell " << from->first;
+  }
+}
+
+TEST(Neighbours, AreSortedAlongAnUnbrokenCurve) {
+  expect_unbroken<2>(3);
+  expect_unbroken<2>(6);
+  expect_unbroken<3>(4);
 }
 
 ParticleType floor_below(const Vec3& x) { return x.z() < 0.035 ? ParticleType::wall : ParticleType::water; }
