@@ -66,6 +66,7 @@ struct Bed {
   Particles<Device> p;
   Scene<Dim> scene;
   ViscousSystem<Device> viscous;
+  StepState state;
 
   explicit Bed(int edge) {
     on.threads = 1;
@@ -92,8 +93,8 @@ struct Bed {
     }
     start.viscosity.assign(start.size(), 10);
     load_particles(on, p, scene, start);
-    std::int64_t rebuilt = 0;
-    refresh_neighbours(on, p, scene, rebuilt);
+    rebuild_lists(on, p, scene);
+    state.step.dt = 1e-4;
     viscous.row.resize(p.count);
     viscous.coefficient.resize(p.list_entries.size() * cluster_size);
   }
@@ -108,6 +109,13 @@ struct Bed {
   template <class Body>
   void sweep(ClusterRange range, const Body& body) {
     on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body);
+  }
+  template <class Body, class T, class Add>
+  void sweep_and_sum(ClusterRange range, const Body& body, const T& zero, const Add& add) {
+    T sum = zero;
+    on.template sweep_then<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body, zero, add,
+                                [&](const T& found) { sum = found; });
+    benchmark::DoNotOptimize(sum);
   }
 };
 
@@ -226,32 +234,39 @@ void register_all(int edge) {
                       {.particle = rates});
   register_sweep<Dim>("viscous coefficients", edge, fluid,
                       [](B& b, ClusterRange r) {
-                        b.sweep(r, ViscousCoefficientSweep<Dim, true, Row, Coupling>{b.p.record.data(),
-                                                                                     b.p.mass.data(),
-                                                                                     b.p.sediment.data(),
-                                                                                     b.viscous.coefficient.data(),
-                                                                                     b.viscous.row.data(),
-                                                                                     {b.scene},
-                                                                                     1e-4F});
+                        b.sweep_and_sum(r,
+                                        ViscousCoefficientSweep<Dim, true, Row, Coupling>{b.p.record.data(),
+                                                                                          b.p.mass.data(),
+                                                                                          b.p.rates.data(),
+                                                                                          b.p.sediment.data(),
+                                                                                          b.viscous.coefficient.data(),
+                                                                                          b.viscous.row.data(),
+                                                                                          {b.scene},
+                                                                                          &b.state},
+                                        viscosity::Norms{}, viscosity::AddNorms{});
                       },
-                      {.particle = row + sizeof(Sediment) + sizeof(float), .lane = 2 * sizeof(float)});
+                      {.particle = row + sizeof(Rates) + sizeof(Sediment) + sizeof(float), .lane = 2 * sizeof(float)});
   register_sweep<Dim>("viscous product", edge, fluid,
                       [](B& b, ClusterRange r) {
-                        b.sweep(r, ViscousProductSweep<Dim, true, Row, Coupling>{b.p.record.data(),
-                                                                                 b.p.mass.data(),
-                                                                                 b.viscous.coefficient.data(),
-                                                                                 b.viscous.row.data(),
-                                                                                 {b.scene},
-                                                                                 1e-4F});
+                        b.sweep_and_sum(r,
+                                        ViscousProductSweep<Dim, true, Row, Coupling>{b.p.record.data(),
+                                                                                      b.p.mass.data(),
+                                                                                      b.viscous.coefficient.data(),
+                                                                                      b.viscous.row.data(),
+                                                                                      {b.scene},
+                                                                                      &b.state},
+                                        0.0, std::plus<>());
                       },
                       {.particle = row + sizeof(float), .lane = sizeof(float)});
-  register_sweep<Dim>(
-      "viscous product, nothing stored", edge, fluid,
-      [](B& b, ClusterRange r) {
-        b.sweep(r, ViscousProductSweep<Dim, false, Row, Coupling>{
-                       b.p.record.data(), b.p.mass.data(), nullptr, b.viscous.row.data(), {b.scene}, 1e-4F});
-      },
-      {.particle = row + sizeof(float)});
+  register_sweep<Dim>("viscous product, nothing stored", edge, fluid,
+                      [](B& b, ClusterRange r) {
+                        b.sweep_and_sum(
+                            r,
+                            ViscousProductSweep<Dim, false, Row, Coupling>{
+                                b.p.record.data(), b.p.mass.data(), nullptr, b.viscous.row.data(), {b.scene}, &b.state},
+                            0.0, std::plus<>());
+                      },
+                      {.particle = row + sizeof(float)});
   register_sweep<Dim>(
       "bed surface", edge, [](B& b) { return b.p.at_bed_surface(); },
       [](B& b, ClusterRange r) {
@@ -269,11 +284,19 @@ void register_all(int edge) {
       "equation of state", edge, [](B& b) { apply_equation_of_state(b.on, b.p, b.scene); },
       2 * sizeof(Record) + sizeof(float));
   register_pass<Dim>(
-      "kick", edge, [](B& b) { kick(b.on, b.p, 0); }, 2 * sizeof(Record) + sizeof(Rates));
+      "kick", edge, [](B& b) { kick(b.on, b.p, &b.state); }, 2 * sizeof(Record) + sizeof(Rates));
   register_pass<Dim>(
-      "drift", edge, [](B& b) { drift(b.on, b.p, b.scene, 0); }, 2 * sizeof(Record) + 2 * sizeof(Position));
+      "drift", edge, [](B& b) { drift(b.on, b.p, b.scene, &b.state, 0); }, 2 * sizeof(Record) + 2 * sizeof(Position));
   register_pass<Dim>(
-      "largest drift", edge, [](B& b) { benchmark::DoNotOptimize(neighbours::squared_drift(b.on, b.p, b.scene)); },
+      "viscous update", edge,
+      [](B& b) {
+        reduce_members_then(b.on, b.p.list(), b.p.all_fluid(), viscosity::Norms{},
+                            ViscousUpdatePass<Row>{b.p.record.data(), b.viscous.row.data(), &b.state},
+                            viscosity::AddNorms{}, [](const viscosity::Norms& n) { benchmark::DoNotOptimize(n); });
+      },
+      2 * sizeof(Record) + row);
+  register_pass<Dim>(
+      "largest drift", edge, [](B& b) { neighbours::find_squared_drift(b.on, b.p, b.scene, &b.state); },
       sizeof(Record) + sizeof(Place));
   register_pass<Dim>(
       "sort", edge, [](B& b) { neighbours::sort_particles(b.on, b.p, b.scene); }, 0);

@@ -235,7 +235,7 @@ struct OpenMp {
     constexpr Index block = 32;
     const Index blocks = (range.count + block - 1) / block;
     std::vector<Partial<T>> partial(blocks, Partial<T>{start});
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (range.count >= least_parallel_clusters)
+#pragma omp parallel for schedule(static) num_threads(threads) if (range.count >= least_parallel_clusters)
     for (Index b = 0; b < blocks; ++b) {
       T total = start;
       const Index end = (b + 1) * block < range.count ? (b + 1) * block : range.count;
