@@ -6,40 +6,14 @@ V (u - mean u of the grains), over the width of the section's window [m^2/s]; be
 the integral over time [m^2] as the last row.
 """
 
-import base64
 import pathlib
 import re
-import struct
 import sys
-import zlib
+
+from particle_file import SEDIMENT, WATER, arrays
 
 HALF_WIDTH = 0.04  # [m] of a section's window
 BED = 0.6  # porosity of the bed is below
-FORMATS = {"Float32": "f", "Float64": "d", "UInt8": "B", "Int64": "q"}
-ARRAY = re.compile(r'<DataArray type="(\w+)" Name="(\w+)"[^>]*>\s*([^<]*?)\s*<', re.DOTALL)
-
-
-def decoded(text):
-    """The bytes of an inline DataArray: a header of 64-bit sizes, then zlib blocks, each part base64."""
-    blocks = struct.unpack("<Q", base64.b64decode(text[:12])[:8])[0]
-    size = 8 * (3 + blocks)
-    end = 4 * ((size + 2) // 3)
-    header = struct.unpack(f"<{3 + blocks}Q", base64.b64decode(text[:end])[:size])
-    data, plain, at = base64.b64decode(text[end:]), b"", 0
-    for length in header[3:]:
-        plain += zlib.decompress(data[at:at + length])
-        at += length
-    return plain
-
-
-def arrays(file, wanted):
-    found = {}
-    for kind, name, text in ARRAY.findall(file.read_text(encoding="latin-1")):
-        if name in wanted:
-            plain = decoded(text)
-            code = FORMATS[kind]
-            found[name] = struct.unpack(f"<{len(plain) // struct.calcsize(code)}{code}", plain)
-    return found
 
 
 def flux(particles, x):
@@ -50,11 +24,11 @@ def flux(particles, x):
         if abs(particles["Points"][3 * i] - x) >= HALF_WIDTH or particles["Porosity"][i] >= BED:
             continue
         velocity = particles["Velocity"][3 * i]
-        if kind == 2:
+        if kind == WATER:
             own = particles["Mass"][i] / particles["Density"][i]
             water += own * velocity
             volume += own
-        elif kind == 3:
+        elif kind == SEDIMENT:
             grains += 1
             grain_velocity += velocity
     slip = water - (volume * grain_velocity / grains if grains else 0)

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "common/error.hpp"
 #include "solver/backend/buffer.hpp"
+#include "solver/shown_particle.hpp"
 #include "solver/simulation.hpp"
 
 namespace thalweg {
@@ -20,7 +23,6 @@ inline constexpr const char* bed = "BedSurface";
 inline constexpr const char* state = "ResolvedState";   // State, and rest
 inline constexpr const char* moved_from = "MovedFrom";  // three doubles [m]
 }  // namespace checkpoint_array
-inline constexpr const char* excess_pore_pressure_array = "ExcessPorePressure";
 
 /// The numbers of structs of floats, and back; a checkpoint keeps them exactly.
 template <class Struct>
@@ -216,7 +218,8 @@ class SimulationOn final : public Simulation {
 
   std::vector<ExcludedParticle> take_excluded() override {
     if (!neighbours::has_excluded(on_, p_)) return {};
-    return refresh_neighbours(on_, p_, scene_, work_.list_rebuilds);
+    work_.squared_drift = INFINITY;  // the lists' skin or not
+    return refresh_neighbours(on_, p_, scene_, work_);
   }
 
   Totals totals() override { return sum_totals(on_, p_, scene_); }
@@ -246,15 +249,20 @@ class SimulationOn final : public Simulation {
     return f;
   }
 
-  ParticleSet snapshot() override {
-    ParticleSet out;
-    copy_common(out);
-    return out;
+  ParticleSet snapshot() override { return begin_snapshot()(); }
+
+  std::function<ParticleSet()> begin_snapshot() override {
+    const auto shown = std::make_shared<typename Device::template Buffer<ShownParticle>>();
+    shown->resize(p_.count);
+    const auto data_of = [](const auto& buffer) { return buffer.empty() ? nullptr : buffer.data(); };
+    on_.for_each(p_.count, ShowPass{p_.record.data(), p_.position.data(), p_.id.data(), p_.mass.data(), p_.type.data(),
+                                    data_of(p_.sediment), data_of(p_.bed), data_of(p_.excess_pore_pressure),
+                                    data_of(work_.mixture.pores), data_of(p_.motion), p_.fluid_count, shown->data()});
+    return [shown, beside = on_.beside(), scene = scene_] { return particle_set(scene, beside.on_host(*shown)); };
   }
 
   ParticleSet full_state() override {
-    ParticleSet out;
-    copy_common(out);
+    ParticleSet out = snapshot();
     const auto records = on_.on_host(p_.record);
     const auto places = on_.on_host(p_.listed_at);
     auto& excess = out.scalars[checkpoint_array::excess];
@@ -291,80 +299,6 @@ class SimulationOn final : public Simulation {
     neighbours::build_lists(on_, p_, scene_);
     if (scene_.may_rest) list_active_clusters(on_, p_);
     swap_places(on_, p_);
-  }
-
-  void copy_common(ParticleSet& out) {
-    const std::size_t n = p_.count;
-    const auto records = on_.on_host(p_.record);
-    const auto positions = on_.on_host(p_.position);
-    const auto types = on_.on_host(p_.type);
-    const auto ids = on_.on_host(p_.id);
-    const auto masses = on_.on_host(p_.mass);
-    out.id.assign(ids.begin(), ids.end());
-    out.mass.assign(masses.begin(), masses.end());
-    out.type.resize(n);
-    out.position.resize(n);
-    out.velocity.resize(n);
-    out.density.resize(n);
-    out.pressure.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Record& r = records[i];
-      out.type[i] = static_cast<ParticleType>(types[i]);
-      out.position[i] = Vec3(positions[i].x[0], positions[i].x[1], positions[i].x[2]);
-      out.velocity[i] = Eigen::Vector3f(r.velocity[0], r.velocity[1], r.velocity[2]);
-      out.density[i] = scene_.density_in_files(r.phase) * (1 + (r.phase == phase_wall ? 0 : r.excess));
-      out.pressure[i] = r.pressure;
-    }
-    if (!work_.mixture.pores.empty()) {
-      const auto pores = on_.on_host(work_.mixture.pores);
-      auto& porosity = out.scalars["Porosity"];
-      for (std::size_t i = 0; i < n; ++i) porosity.push_back(i < p_.fluid_count ? pores[i].porosity : 1);
-    }
-    if (scene_.has_moving_walls) {
-      const auto motion = on_.on_host(p_.motion);
-      out.scalars[motion_array].assign(motion.begin(), motion.end());
-    }
-    if (scene_.seepage.pore_pressure) {
-      const auto pressure = on_.on_host(p_.excess_pore_pressure);
-      out.scalars[excess_pore_pressure_array].assign(pressure.begin(), pressure.end());
-    }
-    if (scene_.has_sediment) copy_sediment(out, records);
-    if (scene_.has_states) copy_states(out, records);
-  }
-
-  template <class Records>
-  void copy_sediment(ParticleSet& out, const Records& records) {
-    const std::size_t n = p_.count;
-    const auto sediment = on_.on_host(p_.sediment);
-    auto& strain = out.scalars["StrainRate"];
-    auto& effective = out.scalars["EffectivePressure"];
-    auto& yield = out.scalars["YieldStress"];
-    out.viscosity.assign(n, scene_.water_viscosity);
-    strain.resize(n);
-    effective.resize(n);
-    yield.resize(n);
-    std::vector<float>* resting = scene_.may_rest ? &out.scalars["Resting"] : nullptr;
-    if (resting != nullptr) resting->assign(n, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (records[i].phase == phase_sediment) out.viscosity[i] = records[i].viscosity;
-      strain[i] = sediment[i].strain_rate;
-      effective[i] = sediment[i].effective_pressure;
-      yield[i] = sediment[i].yield_stress;
-      if (resting != nullptr && is_resting(records[i])) (*resting)[i] = 1;
-    }
-  }
-
-  template <class Records>
-  void copy_states(ParticleSet& out, const Records& records) {
-    const auto bed = on_.on_host(p_.bed);
-    auto& shields = out.scalars["ShieldsNumber"];
-    shields.resize(p_.count);
-    out.state.resize(p_.count);
-    for (Index i = 0; i < p_.count; ++i) {
-      const float state = is_resting(records[i]) ? state_deposit : records[i].state;
-      out.state[i] = static_cast<SedimentState>(static_cast<int>(state));
-      shields[i] = shields_number(bed[i].shear_stress, scene_.erosion.grain_weight);
-    }
   }
 
   Device on_;

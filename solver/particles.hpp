@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "solver/cluster_list.hpp"
 #include "solver/scene.hpp"
@@ -122,5 +123,49 @@ void for_each_member(Device& on, const ClusterList& list, ClusterRange range, co
     if (i < list.last(c)) body(i);
   });
 }
+
+/// then() of the sum of of(i) over those particles.
+template <class Device, class T, class Of, class Combine, class Then>
+void reduce_members_then(Device& on, const ClusterList& list, ClusterRange range, const T& start, const Of& of,
+                         const Combine& combine, const Then& then) {
+  on.reduce_then(
+      range.count * cluster_size, start,
+      [=] HOST_DEVICE(Index n) {
+        const Index c = range[n / cluster_size];
+        const Index i = list.first(c) + n % cluster_size;
+        return i < list.last(c) ? of(i) : start;
+      },
+      combine, then);
+}
+
+/// Lists of indices, chosen one after the other; how many they hold is asked for once, at the end.
+template <class Device>
+class Selection {
+ public:
+  explicit Selection(Device& on) : on_(on) { counts_.resize(most); }
+
+  /// Those of candidate(0) … candidate(n - 1) that keep().
+  template <class Candidate, class Keep>
+  void choose(Index n, const Candidate& candidate, const Keep& keep, typename Device::template Buffer<Index>& kept) {
+    on_.select(n, candidate, keep, kept, counts_.data() + chosen_.size());
+    chosen_.push_back(&kept);
+  }
+  template <class Keep>
+  void choose(ClusterRange from, const Keep& keep, typename Device::template Buffer<Index>& kept) {
+    choose(
+        from.count, [=] HOST_DEVICE(Index n) { return from[n]; }, keep, kept);
+  }
+  /// The lists have their lengths from here on.
+  void finish() {
+    const auto counts = on_.on_host(counts_, 0, chosen_.size());
+    for (std::size_t k = 0; k < chosen_.size(); ++k) chosen_[k]->resize(counts[k]);
+  }
+
+ private:
+  static constexpr std::size_t most = 8;
+  Device& on_;
+  typename Device::template Buffer<Index> counts_;
+  std::vector<typename Device::template Buffer<Index>*> chosen_;
+};
 
 }  // namespace thalweg

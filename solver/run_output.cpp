@@ -85,12 +85,13 @@ ParticleFileInfo RunOutput::info_at(const RunClock& clock) const {
 }
 
 void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
-  ParticleSet particles = simulation.snapshot();
-  particles.info = info_at(clock);
+  writing_.wait();
   const std::filesystem::path name = folder_.snapshots().filename() / fmt::format("s{:05}.vtp", series_.size());
   series_.push_back({clock.time, name});
-  writing_.start([particles = std::move(particles), file = folder_.root / name, all = folder_.snapshot_series(),
-                  series = series_] {
+  writing_.start([take = simulation.begin_snapshot(), info = info_at(clock), file = folder_.root / name,
+                  all = folder_.snapshot_series(), series = series_] {
+    ParticleSet particles = take();
+    particles.info = info;
     write_particles(file, particles, PositionPrecision::single_precision);
     write_series(all, series);
   });

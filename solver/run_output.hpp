@@ -31,8 +31,9 @@ struct RunCounts {
   std::int64_t steps = 0;     // of this run, without what came before a restart
 };
 
-/// Writes everything a run leaves in its folder; each file is whole at any moment. A snapshot is copied at once and
-/// written while the run goes on; the next file that is written from particles waits for it.
+/// Writes everything a run leaves in its folder; each file is whole at any moment. Particles are taken aside
+/// for a snapshot at once, and made into a file while the run goes on; the next file that is written from particles
+/// waits for it.
 class RunOutput {
  public:
   /// `start` tells a fresh run (time 0: older results are replaced) from a continued one (rows and snapshots up to that

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -55,6 +56,8 @@ class Simulation {
 
   /// All particles as they are now, for looking at; without ParticleSet::info.
   virtual ParticleSet snapshot() = 0;
+  /// The same in two parts: what it returns makes the particles' set, in any thread, while steps go on.
+  virtual std::function<ParticleSet()> begin_snapshot() = 0;
   /// All that a restart needs, in the order of the neighbour lists; without ParticleSet::info.
   virtual ParticleSet full_state() = 0;
 };

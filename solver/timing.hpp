@@ -74,6 +74,7 @@ class Timing {
 
   /// Lets every heading wait for a device that works on its own; without it time is booked where it is waited for.
   void wait_with(std::function<void()> finish) { finish_ = std::move(finish); }
+  [[nodiscard]] bool waits() const { return finish_ != nullptr; }
   /// The heading begun last.
   [[nodiscard]] const char* current() const { return heading_names[static_cast<std::size_t>(current_)]; }
 

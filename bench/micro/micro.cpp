@@ -66,6 +66,7 @@ struct Bed {
   Particles<Device> p;
   Scene<Dim> scene;
   ViscousSystem<Device> viscous;
+  StepState state;  // of a step without length, so that nothing moves
 
   explicit Bed(int edge) {
     on.threads = 1;
@@ -92,8 +93,7 @@ struct Bed {
     }
     start.viscosity.assign(start.size(), 10);
     load_particles(on, p, scene, start);
-    std::int64_t rebuilt = 0;
-    refresh_neighbours(on, p, scene, rebuilt);
+    rebuild_lists(on, p, scene);
     viscous.row.resize(p.count);
     viscous.coefficient.resize(p.list_entries.size() * cluster_size);
   }
@@ -228,11 +228,12 @@ void register_all(int edge) {
                       [](B& b, ClusterRange r) {
                         b.sweep(r, ViscousCoefficientSweep<Dim, true, Row, Coupling>{b.p.record.data(),
                                                                                      b.p.mass.data(),
+                                                                                     b.p.rates.data(),
                                                                                      b.p.sediment.data(),
                                                                                      b.viscous.coefficient.data(),
                                                                                      b.viscous.row.data(),
                                                                                      {b.scene},
-                                                                                     1e-4F});
+                                                                                     &b.state});
                       },
                       {.particle = row + sizeof(Sediment) + sizeof(float), .lane = 2 * sizeof(float)});
   register_sweep<Dim>("viscous product", edge, fluid,
@@ -242,14 +243,14 @@ void register_all(int edge) {
                                                                                  b.viscous.coefficient.data(),
                                                                                  b.viscous.row.data(),
                                                                                  {b.scene},
-                                                                                 1e-4F});
+                                                                                 &b.state});
                       },
                       {.particle = row + sizeof(float), .lane = sizeof(float)});
   register_sweep<Dim>(
       "viscous product, nothing stored", edge, fluid,
       [](B& b, ClusterRange r) {
         b.sweep(r, ViscousProductSweep<Dim, false, Row, Coupling>{
-                       b.p.record.data(), b.p.mass.data(), nullptr, b.viscous.row.data(), {b.scene}, 1e-4F});
+                       b.p.record.data(), b.p.mass.data(), nullptr, b.viscous.row.data(), {b.scene}, &b.state});
       },
       {.particle = row + sizeof(float)});
   register_sweep<Dim>(
@@ -269,11 +270,11 @@ void register_all(int edge) {
       "equation of state", edge, [](B& b) { apply_equation_of_state(b.on, b.p, b.scene); },
       2 * sizeof(Record) + sizeof(float));
   register_pass<Dim>(
-      "kick", edge, [](B& b) { kick(b.on, b.p, 0); }, 2 * sizeof(Record) + sizeof(Rates));
+      "kick", edge, [](B& b) { kick(b.on, b.p, &b.state); }, 2 * sizeof(Record) + sizeof(Rates));
   register_pass<Dim>(
-      "drift", edge, [](B& b) { drift(b.on, b.p, b.scene, 0); }, 2 * sizeof(Record) + 2 * sizeof(Position));
+      "drift", edge, [](B& b) { drift(b.on, b.p, b.scene, &b.state, 0.5); }, 2 * sizeof(Record) + 2 * sizeof(Position));
   register_pass<Dim>(
-      "largest drift", edge, [](B& b) { benchmark::DoNotOptimize(neighbours::squared_drift(b.on, b.p, b.scene)); },
+      "largest drift", edge, [](B& b) { neighbours::find_squared_drift(b.on, b.p, b.scene, &b.state); },
       sizeof(Record) + sizeof(Place));
   register_pass<Dim>(
       "sort", edge, [](B& b) { neighbours::sort_particles(b.on, b.p, b.scene); }, 0);

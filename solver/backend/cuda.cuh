@@ -5,25 +5,57 @@
 #include <thrust/iterator/transform_iterator.h>
 
 #include <cstdint>
+#include <cstring>
+#include <cub/block/block_reduce.cuh>
 #include <cub/device/device_radix_sort.cuh>
-#include <cub/device/device_reduce.cuh>
 #include <cub/device/device_scan.cuh>
 #include <cub/device/device_select.cuh>
+#include <thread>
+#include <type_traits>
+#include <utility>
 
 #include "solver/backend/cuda_errors.cuh"
 #include "solver/backend/gpu.hpp"
 
 namespace thalweg {
 
-/// body(i) for the thread's own i.
+/// body(i) for the thread's own i; nothing where *flag is 0.
 template <class Body>
-__global__ void __launch_bounds__(128) run_body(Index n, Body body) {
+__global__ void __launch_bounds__(128) run_body(Index n, Body body, const int* flag) {
+  if (flag != nullptr && *flag == 0) return;
   const Index i = blockIdx.x * 128 + threadIdx.x;
   if (i < n) body(i);
 }
 
-/// Gpu's Runtime (solver/backend/gpu.hpp) on the first CUDA device. All work goes to one stream, in order; memory comes
-/// from the stream's pool, which keeps what it was given back.
+/// combine() of of(i) over the block's i, every gridDim-th 128 of them: in an order that n alone decides, so that sums
+/// are the same in every run.
+template <class T, class Of, class Combine>
+__global__ void __launch_bounds__(128)
+    reduce_blocks(Index n, T start, Of of, Combine combine, T* partial, const int* flag) {
+  using BlockReduce = cub::BlockReduce<T, 128>;
+  __shared__ typename BlockReduce::TempStorage storage;
+  if (flag != nullptr && *flag == 0) return;
+  T sum = start;
+  for (Index i = blockIdx.x * 128 + threadIdx.x; i < n; i += gridDim.x * 128) sum = combine(sum, of(i));
+  const T total = BlockReduce(storage).Reduce(sum, combine);
+  if (threadIdx.x == 0) partial[blockIdx.x] = total;
+}
+
+/// then() of what the blocks found.
+template <class T, class Combine, class Then>
+__global__ void __launch_bounds__(256)
+    finish_reduction(Index blocks, T start, Combine combine, const T* partial, Then then, const int* flag) {
+  using BlockReduce = cub::BlockReduce<T, 256>;
+  __shared__ typename BlockReduce::TempStorage storage;
+  if (flag != nullptr && *flag == 0) return;
+  T sum = start;
+  for (Index b = threadIdx.x; b < blocks; b += 256) sum = combine(sum, partial[b]);
+  const T total = BlockReduce(storage).Reduce(sum, combine);
+  if (threadIdx.x == 0) then(total);
+}
+
+/// Gpu's Runtime (solver/backend/gpu.hpp) on the first CUDA device. All work goes to one stream, in order, but for the
+/// copying of snapshots; memory comes from the device's pool, which keeps what it was given back.
 struct CudaRuntime {
   static cudaStream_t stream() { return memory().stream; }
 
@@ -32,16 +64,44 @@ struct CudaRuntime {
     check_cuda(cudaMallocAsync(&p, bytes, stream()), "allocating memory");
     return p;
   }
+  /// What another thread has copied aside it gives back beside the launches, which may be being recorded.
   static void release(void* p) noexcept {
-    if (p != nullptr) cudaFreeAsync(p, stream());  // nothing to be done about a failure in a destructor
+    const bool launching = std::this_thread::get_id() == memory().thread;
+    if (p != nullptr) cudaFreeAsync(p, launching ? stream() : memory().beside);  // no use in checking here
+  }
+
+  /// A moment between launches.
+  class Mark {
+   public:
+    Mark() {
+      check_cuda(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming), "taking a snapshot");
+      check_cuda(cudaEventRecord(event_, stream()), "taking a snapshot");
+    }
+    ~Mark() { cudaEventDestroy(event_); }
+    Mark(const Mark&) = delete;
+    Mark& operator=(const Mark&) = delete;
+
+   private:
+    friend CudaRuntime;
+    cudaEvent_t event_ = nullptr;
+  };
+  /// Copies as of the mark on a second stream, while the first goes on.
+  static void copy_to_host_after(const Mark& mark, void* to, const void* from, std::size_t bytes) {
+    if (bytes == 0) return;
+    const cudaStream_t beside = memory().beside;
+    check_cuda(cudaStreamWaitEvent(beside, mark.event_, 0), "copying a snapshot");
+    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, beside), "copying a snapshot");
+    check_cuda(cudaStreamSynchronize(beside), "copying a snapshot");
   }
   static void copy_to_device(void* to, const void* from, std::size_t bytes) {
     copy(to, from, bytes, cudaMemcpyHostToDevice);
     wait();
   }
   static void copy_to_host(void* to, const void* from, std::size_t bytes) {
-    copy(to, from, bytes, cudaMemcpyDeviceToHost);
+    void* staged = bytes <= largest_result ? memory().result_on_host : to;
+    copy(staged, from, bytes, cudaMemcpyDeviceToHost);
     wait();
+    if (staged != to) std::memcpy(to, staged, bytes);
   }
   static void copy_on_device(void* to, const void* from, std::size_t bytes) {
     copy(to, from, bytes, cudaMemcpyDeviceToDevice);
@@ -57,22 +117,82 @@ struct CudaRuntime {
 #endif
   }
 
+  /// By way of page-locked memory, so that the host need not wait; before the next one it has waited for something.
+  static void send(void* to, const void* from, std::size_t bytes) {
+    std::memcpy(memory().sent_from_host, from, bytes);
+    copy(to, memory().sent_from_host, bytes, cudaMemcpyHostToDevice);
+  }
+
   template <class Body>
-  static void launch(Index n, const Body& body) {
+  static void launch(Index n, const Body& body, const int* flag) {
     if (n == 0) return;
-    run_body<<<(n + 127) / 128, 128, 0, stream()>>>(n, body);
+    run_body<<<(n + 127) / 128, 128, 0, stream()>>>(n, body, flag);
     check_cuda(cudaGetLastError(), "starting a kernel");
   }
 
-  template <class T, class Of, class Combine>
-  static T reduce(Index n, const T& start, const Of& of, const Combine& combine) {
-    const auto values = thrust::make_transform_iterator(thrust::make_counting_iterator(Index{0}), of);
-    return with_result<T>([&](T* result) {
-      with_scratch([&](void* scratch, std::size_t& bytes) {
-        return cub::DeviceReduce::Reduce(scratch, bytes, values, result, static_cast<int>(n), combine, start, stream());
-      });
-    });
+  template <class T, class Of, class Combine, class Then>
+  static void reduce(Index n, const T& start, const Of& of, const Combine& combine, const Then& then, const int* flag) {
+    static_assert(sizeof(T) <= largest_partial && std::is_trivially_copyable_v<T>);
+    const Index needed = (n + 127) / 128;
+    const Index blocks = needed < most_blocks ? needed : most_blocks;
+    T* partial = static_cast<T*>(memory().partial);
+    if (blocks > 0) reduce_blocks<<<blocks, 128, 0, stream()>>>(n, start, of, combine, partial, flag);
+    finish_reduction<<<1, 256, 0, stream()>>>(blocks, start, combine, partial, then, flag);
+    check_cuda(cudaGetLastError(), "starting a kernel");
   }
+
+  /// Runs work(where), which leaves a T there, and brings it to the host.
+  template <class T, class Work>
+  static T with_result(const Work& work) {
+    static_assert(sizeof(T) <= largest_result && std::is_trivially_copyable_v<T>);
+    work(static_cast<T*>(memory().result));
+    copy(memory().result_on_host, memory().result, sizeof(T), cudaMemcpyDeviceToHost);
+    wait();
+    return *static_cast<const T*>(memory().result_on_host);
+  }
+
+  /// Launches kept as a CUDA graph: one launch in place of many, which is what a step of a small scene consists of.
+  class Recording {
+   public:
+    Recording() = default;
+    Recording(Recording&& r) noexcept : graph_(std::exchange(r.graph_, nullptr)) {}
+    Recording& operator=(Recording&& r) noexcept {
+      std::swap(graph_, r.graph_);
+      return *this;
+    }
+    Recording(const Recording&) = delete;
+    Recording& operator=(const Recording&) = delete;
+    ~Recording() {
+      if (graph_ != nullptr) cudaGraphExecDestroy(graph_);  // nothing to be done about a failure in a destructor
+    }
+
+    /// What what() launches; nothing but launches may be asked for. A graph of the same kernels takes over what they
+    /// are given, which is cheaper than to make a new one.
+    template <class What>
+    void record(const What& what) {
+      cudaGraph_t launches = nullptr;
+      check_cuda(cudaStreamBeginCapture(stream(), cudaStreamCaptureModeThreadLocal), "recording a step");
+      try {
+        what();
+      } catch (...) {
+        cudaStreamEndCapture(stream(), &launches);
+        if (launches != nullptr) cudaGraphDestroy(launches);
+        throw;
+      }
+      check_cuda(cudaStreamEndCapture(stream(), &launches), "recording a step");
+      cudaGraphExecUpdateResultInfo told{};
+      if (graph_ == nullptr || cudaGraphExecUpdate(graph_, launches, &told) != cudaSuccess) {
+        cudaGetLastError();  // a graph of other kernels is no error
+        if (graph_ != nullptr) check_cuda(cudaGraphExecDestroy(std::exchange(graph_, nullptr)), "recording a step");
+        check_cuda(cudaGraphInstantiate(&graph_, launches, 0), "recording a step");
+      }
+      check_cuda(cudaGraphDestroy(launches), "recording a step");
+    }
+    void replay() { check_cuda(cudaGraphLaunch(graph_, stream()), "repeating a step"); }
+
+   private:
+    cudaGraphExec_t graph_ = nullptr;
+  };
 
   /// offsets: n + 1 entries, the first 0.
   static void scan(const Index* counts, Index n, Index* offsets) {
@@ -82,13 +202,11 @@ struct CudaRuntime {
     });
   }
 
-  template <class Keep>
-  static Index select(Index n, const Keep& keep, Index* kept) {
-    return with_result<Index>([&](Index* count) {
-      with_scratch([&](void* scratch, std::size_t& bytes) {
-        return cub::DeviceSelect::If(scratch, bytes, thrust::make_counting_iterator(Index{0}), kept, count,
-                                     static_cast<int>(n), keep, stream());
-      });
+  template <class Candidate, class Keep>
+  static void select(Index n, const Candidate& candidate, const Keep& keep, Index* kept, Index* count) {
+    const auto candidates = thrust::make_transform_iterator(thrust::make_counting_iterator(Index{0}), candidate);
+    with_scratch([&](void* scratch, std::size_t& bytes) {
+      return cub::DeviceSelect::If(scratch, bytes, candidates, kept, count, static_cast<int>(n), keep, stream());
     });
   }
 
@@ -107,16 +225,26 @@ struct CudaRuntime {
   }
 
  private:
-  static constexpr std::size_t largest_result = 256;
+  static constexpr std::size_t largest_result = 512;
+  static constexpr std::size_t largest_partial = 256;
+  /// Of a reduction: several waves on the largest GPU, few enough for one block to combine what they found.
+  static constexpr Index most_blocks = 4096;
   struct Memory {
     cudaStream_t stream = nullptr;
-    void* result = nullptr;          // on the device
-    void* result_on_host = nullptr;  // page-locked
+    cudaStream_t beside = nullptr;
+    std::thread::id thread = std::this_thread::get_id();  // that launches
+    void* result = nullptr;                               // on the device
+    void* partial = nullptr;                              // on the device
+    void* result_on_host = nullptr;                       // page-locked
+    void* sent_from_host = nullptr;                       // page-locked
 
     Memory() {
       check_cuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "starting");
+      check_cuda(cudaStreamCreateWithFlags(&beside, cudaStreamNonBlocking), "starting");
       check_cuda(cudaMalloc(&result, largest_result), "allocating memory");
+      check_cuda(cudaMalloc(&partial, most_blocks * largest_partial), "allocating memory");
       check_cuda(cudaMallocHost(&result_on_host, largest_result), "allocating page-locked memory");
+      check_cuda(cudaMallocHost(&sent_from_host, largest_result), "allocating page-locked memory");
       int device = 0;
       cudaMemPool_t pool = nullptr;
       std::uint64_t keep_all = UINT64_MAX;
@@ -133,16 +261,6 @@ struct CudaRuntime {
 
   static void copy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind) {
     if (bytes > 0) check_cuda(cudaMemcpyAsync(to, from, bytes, kind, stream()), "copying memory");
-  }
-
-  /// Runs work(where), which leaves a T there, and brings it to the host.
-  template <class T, class Work>
-  static T with_result(const Work& work) {
-    static_assert(sizeof(T) <= largest_result && std::is_trivially_copyable_v<T>);
-    work(static_cast<T*>(memory().result));
-    copy(memory().result_on_host, memory().result, sizeof(T), cudaMemcpyDeviceToHost);
-    wait();
-    return *static_cast<const T*>(memory().result_on_host);
   }
 
   /// CUB's way: asked without scratch memory it says how much it needs.

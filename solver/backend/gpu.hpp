@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "solver/backend/buffer.hpp"
@@ -13,8 +15,10 @@
 // but the device (tests/solver/guarded_runtime.hpp). A Runtime offers
 //
 //   allocate, release, copy_to_device, copy_to_host, copy_on_device     memory, in bytes
-//   launch(n, body), reduce, scan, select, sort                         what Gpu hands on
-//   wait, atomic_add
+//   send                                                                a few bytes to the device, without waiting
+//   Mark, copy_to_host_after(mark, …)                                   in another thread, beside what is asked for
+//   since launch(n, body, flag), reduce(…, then, flag), scan, select, sort    what Gpu hands on Recording:
+//   record(what), replay()                                   launches as one wait, atomic_add
 namespace thalweg {
 
 /// An array in the memory of a device. Contents are kept when it grows; new entries are uninitialised.
@@ -95,20 +99,25 @@ HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Record* reco
   return lane;
 }
 
+/// What a sweep's end() returns if it returns nothing.
+struct Nothing {};
+
 /// The pair sweep of one thread: particle n % 4 of the n/4-th cluster visited. The four threads of a cluster walk the
-/// same list, so that a neighbour's record is fetched once for all of them.
-template <int Dim, class Body>
+/// same list, so that a neighbour's record is fetched once for all of them. Result is what end() returns; a thread
+/// without a particle returns `none`.
+template <int Dim, class Body, class Result>
 struct SweepThread {
   ClusterList list;
   ClusterRange range;
   const Record* records;
   Vec<Dim, float> quantum;
   Body body;
+  Result none;
 
-  HOST_DEVICE void operator()(Index n) const {
+  HOST_DEVICE Result operator()(Index n) const {
     const Index cluster = range[n / cluster_size];
     const Index i = list.first(cluster) + n % cluster_size;
-    if (i >= list.last(cluster)) return;
+    if (i >= list.last(cluster)) return none;
     const auto a = read_record<Dim, Body::quads>(records + i);
     typename Body::template Sum<float> sum{};
     const Index end = list.begin[cluster + 1];
@@ -119,8 +128,20 @@ struct SweepThread {
       s.r2 = dot(s.r, s.r);
       body.pair(a, b, s, std::size_t{e} * cluster_size + n % cluster_size, sum);
     }
-    body.end(i, sum);
+    if constexpr (std::is_same_v<Result, Nothing>) {
+      body.end(i, sum);
+      return none;
+    } else {
+      return body.end(i, sum);
+    }
   }
+};
+
+/// Keeps the result of a reduction.
+template <class T>
+struct Keep {
+  T* to;
+  HOST_DEVICE void operator()(const T& result) const { *to = result; }
 };
 
 template <class T>
@@ -142,8 +163,10 @@ struct ReorderThread {
 
 /// A GPU; the verbs are those of OpenMp (solver/backend/openmp.hpp), which says what each does.
 template <class Runtime>
-struct Gpu {
+class Gpu {
+ public:
   static constexpr bool stores_coefficients = false;
+  static constexpr bool is_host = false;
   template <class T>
   using Buffer = DeviceBuffer<T, Runtime>;
 
@@ -159,7 +182,7 @@ struct Gpu {
   template <class T>
   static void fill(Buffer<T>& buffer, std::size_t n, const T& value) {
     buffer.resize(n);
-    Runtime::launch(static_cast<Index>(n), FillThread<T>{buffer.data(), value});
+    Runtime::launch(static_cast<Index>(n), FillThread<T>{buffer.data(), value}, nullptr);
   }
   template <class T>
   static HostBuffer<T> on_host(const Buffer<T>& buffer, std::size_t from, std::size_t to) {
@@ -171,29 +194,72 @@ struct Gpu {
   static HostBuffer<T> on_host(const Buffer<T>& buffer) {
     return on_host(buffer, 0, buffer.size());
   }
+  template <class T>
+  static void send(const T& number, T* to) {
+    static_assert(sizeof(T) <= 512 && std::is_trivially_copyable_v<T>);
+    Runtime::send(to, &number, sizeof(T));
+  }
+  template <class T>
+  static T look(const T* at) {
+    T number;
+    Runtime::copy_to_host(&number, at, sizeof(T));
+    return number;
+  }
 
   static void finish() { Runtime::wait(); }
 
+  class Beside {
+   public:
+    template <class T>
+    HostBuffer<T> on_host(const Buffer<T>& buffer) const {
+      HostBuffer<T> numbers(buffer.size());
+      Runtime::copy_to_host_after(*mark_, numbers.data(), buffer.data(), numbers.size() * sizeof(T));
+      return numbers;
+    }
+
+   private:
+    std::shared_ptr<typename Runtime::Mark> mark_ = std::make_shared<typename Runtime::Mark>();
+  };
+  static Beside beside() { return {}; }
+
+  const int* only_if(const int* flag) { return std::exchange(flag_, flag); }
+
+  template <class What>
+  void repeat(std::uint64_t key, const What& what) {
+    if (key != 0 && key == recorded_) return recording_.replay();
+    recorded_ = 0;
+    if (key == 0) return what();
+    recording_.record(what);
+    recorded_ = key;
+    recording_.replay();
+  }
+
   template <class Body>
-  static void for_each(Index n, const Body& body) {
-    Runtime::launch(n, body);
+  void for_each(Index n, const Body& body) const {
+    Runtime::launch(n, body, flag_);
   }
 
   template <class T, class Of, class Combine>
   static T reduce(Index n, const T& start, const Of& of, const Combine& combine) {
-    return n == 0 ? start : Runtime::reduce(n, start, of, combine);
+    if (n == 0) return start;
+    return Runtime::template with_result<T>(
+        [&](T* result) { Runtime::reduce(n, start, of, combine, Keep<T>{result}, nullptr); });
+  }
+  template <class T, class Of, class Combine, class Then>
+  void reduce_then(Index n, const T& start, const Of& of, const Combine& combine, const Then& then) const {
+    Runtime::reduce(n, start, of, combine, then, flag_);
   }
 
   static Index exclusive_scan(const Buffer<Index>& counts, Buffer<Index>& offsets) {
     offsets.resize(counts.size() + 1);
     Runtime::scan(counts.data(), static_cast<Index>(counts.size()), offsets.data());
-    return on_host(offsets, counts.size(), counts.size() + 1)[0];
+    return look(offsets.data() + counts.size());
   }
 
-  template <class Keep>
-  static void select(Index n, const Keep& keep, Buffer<Index>& kept) {
+  template <class Candidate, class Keep>
+  static void select(Index n, const Candidate& candidate, const Keep& keep, Buffer<Index>& kept, Index* count) {
     kept.resize(n);
-    kept.resize(n == 0 ? 0 : Runtime::select(n, keep, kept.data()));
+    Runtime::select(n, candidate, keep, kept.data(), count);
   }
 
   template <int Dim, class Test, class Found>
@@ -215,15 +281,27 @@ struct Gpu {
     scratch.resize(buffer.size());
     const auto sorted = static_cast<Index>(order.size());
     const auto all = static_cast<Index>(buffer.size());
-    Runtime::launch(all, ReorderThread<T>{buffer.data(), order.data(), scratch.data(), sorted});
+    Runtime::launch(all, ReorderThread<T>{buffer.data(), order.data(), scratch.data(), sorted}, nullptr);
     buffer.swap(scratch);
   }
 
   template <int Dim, class Body>
-  static void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
-                    const Body& body) {
-    Runtime::launch(range.count * cluster_size, SweepThread<Dim, Body>{list, range, records, quantum, body});
+  void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+             const Body& body) const {
+    Runtime::launch(range.count * cluster_size,
+                    SweepThread<Dim, Body, Nothing>{list, range, records, quantum, body, {}}, flag_);
   }
+  template <int Dim, class Body, class T, class Combine, class Then>
+  void sweep_then(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+                  const Body& body, const T& start, const Combine& combine, const Then& then) const {
+    Runtime::reduce(range.count * cluster_size, start,
+                    SweepThread<Dim, Body, T>{list, range, records, quantum, body, start}, combine, then, flag_);
+  }
+
+ private:
+  const int* flag_ = nullptr;
+  typename Runtime::Recording recording_;
+  std::uint64_t recorded_ = 0;  // key of the recording
 };
 
 }  // namespace thalweg

@@ -31,6 +31,9 @@ struct OpenMp {
   template <class T>
   using Buffer = HostBuffer<T>;
 
+  /// The host reads the device's numbers without asking for them.
+  static constexpr bool is_host = true;
+
   int threads = omp_get_max_threads();
 
   /// Fewer particles (a few ns each in a particle pass) or clusters (some hundred ns each in a sweep) than these are
@@ -62,12 +65,44 @@ struct OpenMp {
     return buffer;
   }
 
+  /// Puts one number in its place on the device, and asks for one.
+  template <class T>
+  static void send(const T& number, T* to) {
+    *to = number;
+  }
+  template <class T>
+  static T look(const T* at) {
+    return *at;
+  }
+
   /// Until everything asked for is done.
   static void finish() {}
+
+  /// Brings to the host what had been asked for by now, from another thread and while more is being asked for.
+  struct Beside {
+    template <class T>
+    static std::span<const T> on_host(const Buffer<T>& buffer) {
+      return buffer;
+    }
+  };
+  static Beside beside() { return {}; }
+
+  /// From here on for_each, reduce_then, sweep and sweep_then do nothing while *flag, a number on the device, is 0;
+  /// nullptr: they always do. So work can be asked for before it is known whether it has to be done. Returns the flag
+  /// before.
+  const int* only_if(const int* flag) { return std::exchange(flag_, flag); }
+
+  /// what(), whose launches a device may keep and repeat as one if it is asked for with the same `key` again: what they
+  /// depend on, but for numbers on the device. 0: different every time.
+  template <class What>
+  static void repeat(std::uint64_t, const What& what) {
+    what();
+  }
 
   /// body(i) for i in [0, n): the particle pass.
   template <class Body>
   void for_each(Index n, const Body& body) const {
+    if (is_off()) return;
 #pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
     for (Index i = 0; i < n; ++i) body(i);
   }
@@ -79,10 +114,7 @@ struct OpenMp {
   T reduce(Index n, T start, const Of& of, const Combine& combine) const {
     constexpr Index block = 2048;
     const Index blocks = (n + block - 1) / block;
-    struct Partial {  // keeps threads from writing to neighbouring bits of a std::vector<bool>
-      T sum;
-    };
-    std::vector<Partial> partial(blocks, Partial{start});
+    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
 #pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
     for (Index b = 0; b < blocks; ++b) {
       T sum = start;
@@ -91,28 +123,54 @@ struct OpenMp {
       partial[b].sum = sum;
     }
     T total = start;
-    for (const Partial& p : partial) total = combine(total, p.sum);
+    for (const Partial<T>& p : partial) total = combine(total, p.sum);
     return total;
   }
 
-  /// offsets[i] = sum of counts before i, offsets[n] = total, which is returned. Counts are small, the pass is not hot.
-  Index exclusive_scan(const Buffer<Index>& counts, Buffer<Index>& offsets) const {
-    offsets.resize(counts.size() + 1);
-    Index sum = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      offsets[i] = sum;
-      sum += counts[i];
-    }
-    offsets[counts.size()] = sum;
-    return sum;
+  /// then(reduce(n, start, of, combine)), on the device: the host does not wait for it.
+  template <class T, class Of, class Combine, class Then>
+  void reduce_then(Index n, const T& start, const Of& of, const Combine& combine, const Then& then) const {
+    if (!is_off()) then(reduce(n, start, of, combine));
   }
 
-  /// The indices in [0, n) for which keep(i), in order.
-  template <class Keep>
-  void select(Index n, const Keep& keep, Buffer<Index>& kept) const {
-    kept.clear();
-    for (Index i = 0; i < n; ++i) {
-      if (keep(i)) kept.push_back(i);
+  /// offsets[i] = sum of counts before i, offsets[n] = total, which is returned.
+  Index exclusive_scan(const Buffer<Index>& counts, Buffer<Index>& offsets) const {
+    const auto n = static_cast<Index>(counts.size());
+    offsets.resize(std::size_t{n} + 1);
+    const Index blocks = (n + scan_block - 1) / scan_block;
+    std::vector<Index> before(blocks + std::size_t{1}, 0);
+    for_each_block(blocks, n, [&](Index b, Index from, Index to) {
+      for (Index i = from; i < to; ++i) before[b + 1] += counts[i];
+    });
+    for (Index b = 0; b < blocks; ++b) before[b + 1] += before[b];
+    for_each_block(blocks, n, [&](Index b, Index from, Index to) {
+      Index sum = before[b];
+      for (Index i = from; i < to; ++i) offsets[i] = sum, sum += counts[i];
+    });
+    offsets[n] = before[blocks];
+    return before[blocks];
+  }
+
+  /// Those of candidate(0) … candidate(n - 1) that keep(), in order, at the beginning of `kept`, which has room for all
+  /// of them; *count is how many.
+  template <class Candidate, class Keep>
+  void select(Index n, const Candidate& candidate, const Keep& keep, Buffer<Index>& kept, Index* count) const {
+    kept.resize(n);
+    const Index blocks = (n + scan_block - 1) / scan_block;
+    std::vector<Index> found(blocks);
+    for_each_block(blocks, n, [&](Index b, Index from, Index to) {
+      Index at = from;
+      for (Index i = from; i < to; ++i) {
+        const Index c = candidate(i);
+        if (keep(c)) kept[at++] = c;
+      }
+      found[b] = at - from;
+    });
+    *count = 0;
+    for (Index b = 0; b < blocks; ++b) {
+      const auto from = kept.begin() + std::ptrdiff_t{b} * scan_block;
+      if (*count != b * scan_block) std::copy(from, from + found[b], kept.begin() + *count);
+      *count += found[b];
     }
   }
 
@@ -162,11 +220,55 @@ struct OpenMp {
   template <int Dim, class Body>
   void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
              const Body& body) const {
+    if (is_off()) return;
 #pragma omp parallel for schedule(dynamic, 32) num_threads(threads) if (range.count >= least_parallel_clusters)
-    for (Index n = 0; n < range.count; ++n) sweep_cluster<Dim>(list, range[n], records, quantum, body);
+    for (Index n = 0; n < range.count; ++n) {
+      sweep_cluster<Dim>(list, range[n], records, quantum, body, [&](Index i, const auto& sum) { body.end(i, sum); });
+    }
+  }
+
+  /// The sweep whose end() returns a T; then(start combined with all of them), on the device.
+  template <int Dim, class Body, class T, class Combine, class Then>
+  void sweep_then(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+                  const Body& body, const T& start, const Combine& combine, const Then& then) const {
+    if (is_off()) return;
+    constexpr Index block = 32;
+    const Index blocks = (range.count + block - 1) / block;
+    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
+#pragma omp parallel for schedule(dynamic) num_threads(threads) if (range.count >= least_parallel_clusters)
+    for (Index b = 0; b < blocks; ++b) {
+      T total = start;
+      const Index end = (b + 1) * block < range.count ? (b + 1) * block : range.count;
+      for (Index n = b * block; n < end; ++n) {
+        sweep_cluster<Dim>(list, range[n], records, quantum, body,
+                           [&](Index i, const auto& sum) { total = combine(total, body.end(i, sum)); });
+      }
+      partial[b].sum = total;
+    }
+    T total = start;
+    for (const Partial<T>& p : partial) total = combine(total, p.sum);
+    then(total);
   }
 
  private:
+  template <class T>
+  struct Partial {  // keeps threads from writing to neighbouring bits of a std::vector<bool>
+    T sum;
+  };
+  static constexpr Index scan_block = 4096;
+
+  const int* flag_ = nullptr;
+  [[nodiscard]] bool is_off() const { return flag_ != nullptr && *flag_ == 0; }
+
+  /// what(block, from, to) for the blocks of scan_block entries of [0, n).
+  template <class What>
+  void for_each_block(Index blocks, Index n, const What& what) const {
+#pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
+    for (Index b = 0; b < blocks; ++b) {
+      what(b, b * scan_block, (b + 1) * scan_block < n ? (b + 1) * scan_block : n);
+    }
+  }
+
   /// How many pairs a sweep computes at a time: a register full, but no less than one neighbour of a cluster.
   static constexpr int pairs = std::max(W * int{sizeof(float)} / int{sizeof(Real)}, int{cluster_size});
   using F = Pack<pairs>;  // as records hold them
@@ -248,9 +350,9 @@ struct OpenMp {
     body.end(Index{}, sum);
   };
 
-  template <int Dim, class Body>
+  template <int Dim, class Body, class EndOf>
   static void sweep_cluster(const ClusterList& list, Index cluster, const Record* records,
-                            const Vec<Dim, float>& quantum, const Body& body) {
+                            const Vec<Dim, float>& quantum, const Body& body, const EndOf& end_of) {
     constexpr int groups = pairs / int{cluster_size};
 
     const Index first = list.first(cluster);
@@ -283,7 +385,7 @@ struct OpenMp {
       for (Index l = 0; l < cluster_size; ++l) scalar[l][f] = static_cast<End>(total[l]);
     }
     for (Index l = 0; l < last - first; ++l) {
-      body.end(first + l, std::bit_cast<typename Body::template Sum<End>>(scalar[l]));
+      end_of(first + l, std::bit_cast<typename Body::template Sum<End>>(scalar[l]));
     }
   }
 };

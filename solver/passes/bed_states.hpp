@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "solver/particles.hpp"
+#include "solver/passes/time_step.hpp"
 #include "solver/physics/bed_shear.hpp"
 #include "solver/physics/critical_shields.hpp"
 #include "solver/physics/friction_velocity.hpp"
@@ -146,7 +146,7 @@ struct StatePass {
   Sediment* sediment;
   BedSurface* bed;
   Scene<Dim> scene;
-  float dt;  // of the last step [s]
+  const StepState* state;
 
   HOST_DEVICE bool operator()(Index i) const {
     Record& r = records[i];
@@ -242,7 +242,7 @@ struct StatePass {
 
     if (!surface) return s.calm = 0, state_deposit;
     const bool calm = shields.stress < law.return_stress * shields.critical_stress && speed < law.return_speed;
-    s.calm = calm ? s.calm + dt : 0;
+    s.calm = calm ? s.calm + static_cast<float>(state->step.dt) : 0;
     return s.calm > law.return_time ? (s.calm = 0, state_deposit) : state_bed_load;
   }
 
@@ -270,9 +270,9 @@ void clear_bed_surface(Device& on, Particles<Device>& p) {
   });
 }
 
-/// Finds the bed's surface and lets sediment change its state; true where some of it was at rest.
+/// Finds the bed's surface and lets sediment change its state; counts what it wakes.
 template <int Dim, class Device>
-bool update_bed_states(Device& on, Particles<Device>& p, const Scene<Dim>& scene, double dt) {
+void update_bed_states(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
   const ClusterList list = p.list();
   const ClusterRange at_water = p.at_bed_surface();
   BedSurface* bed = p.bed.data();
@@ -285,10 +285,10 @@ bool update_bed_states(Device& on, Particles<Device>& p, const Scene<Dim>& scene
       for (Index i = list.first(c); i < list.last(c); ++i) nearest(i);
     });
   }
-  const bed_states::StatePass<Dim> pass{p.record.data(), p.sediment.data(), bed, scene, static_cast<float>(dt)};
-  return on.reduce(
-      p.fluid_count, false, [=] HOST_DEVICE(Index i) { return pass(i); },
-      [] HOST_DEVICE(bool a, bool b) { return a || b; });
+  const bed_states::StatePass<Dim> pass{p.record.data(), p.sediment.data(), bed, scene, state};
+  on.reduce_then(
+      p.fluid_count, Index{0}, [=] HOST_DEVICE(Index i) { return pass(i) ? Index{1} : Index{0}; },
+      [] HOST_DEVICE(Index a, Index b) { return a + b; }, [=] HOST_DEVICE(Index woken) { state->woken += woken; });
 }
 
 }  // namespace thalweg

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/particles.hpp"
+#include "solver/passes/time_step.hpp"
 
 // Leapfrog: velocities by the accelerations at the old places, half of the way by the new velocities, densities by the
 // rates half-way, the other half of the way. One force sweep a step; stable up to the acoustic Courant number of about
@@ -13,25 +13,28 @@ namespace thalweg {
 struct KickPass {
   Record* records;
   const Rates* rates;
-  float dt;
+  const StepState* state;
 
   HOST_DEVICE void operator()(Index i) const {
+    const auto dt = static_cast<float>(state->step.dt);
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * rates[i].acceleration[c];
   }
 };
 
-/// Particle pass: places by the velocities; a particle that leaves the domain loses its volume and is out of every sum
-/// until the next sort drops it.
+/// Particle pass: places by the velocities, a `share` of the step; a particle that leaves the domain loses its volume
+/// and is out of every sum until the next sort drops it.
 template <int Dim>
 struct DriftPass {
   Record* records;
   Position* positions;
   Scene<Dim> scene;
-  double dt;
+  const StepState* state;
+  double share;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
     if (r.volume == 0) return;
+    const double dt = share * state->step.dt;
     for (int k = 0; k < Dim; ++k) {
       const int c = axis<Dim>(k);
       double& x = positions[i].x[c];
@@ -54,24 +57,26 @@ struct DriftPass {
 struct DensityPass {
   Record* records;
   const Rates* rates;
-  float dt;
+  const StepState* state;
 
-  HOST_DEVICE void operator()(Index i) const { records[i].excess += dt * rates[i].excess_rate; }
+  HOST_DEVICE void operator()(Index i) const {
+    records[i].excess += static_cast<float>(state->step.dt) * rates[i].excess_rate;
+  }
 };
 
 template <class Device>
-void kick(Device& on, Particles<Device>& p, double dt) {
-  on.for_each(p.fluid_count, KickPass{p.record.data(), p.rates.data(), static_cast<float>(dt)});
+void kick(Device& on, Particles<Device>& p, const StepState* state) {
+  on.for_each(p.fluid_count, KickPass{p.record.data(), p.rates.data(), state});
 }
 
 template <int Dim, class Device>
-void drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene, double dt) {
-  on.for_each(p.fluid_count, DriftPass<Dim>{p.record.data(), p.position.data(), scene, dt});
+void drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state, double share) {
+  on.for_each(p.fluid_count, DriftPass<Dim>{p.record.data(), p.position.data(), scene, state, share});
 }
 
 template <class Device>
-void update_density(Device& on, Particles<Device>& p, double dt) {
-  on.for_each(p.fluid_count, DensityPass{p.record.data(), p.rates.data(), static_cast<float>(dt)});
+void update_density(Device& on, Particles<Device>& p, const StepState* state) {
+  on.for_each(p.fluid_count, DensityPass{p.record.data(), p.rates.data(), state});
 }
 
 }  // namespace thalweg

@@ -339,9 +339,9 @@ struct MixtureCoupling {
   }
 };
 
+/// Brings what MixtureCoupling reads to the records.
 template <int Dim, class Device>
-ViscousResult solve_mixture_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
-                                      const Mixture<Device>& mix, ViscousSystem<Device>& system, float dt) {
+void prepare_mixture_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const Mixture<Device>& mix) {
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
   const PoreState* pores = mix.pores.data();
@@ -353,7 +353,6 @@ ViscousResult solve_mixture_viscosity(Device& on, Particles<Device>& p, const Sc
     sediment[i].yield_stress = 0;
     r.viscosity = scene.sediment.consistency;
   });
-  return solve_viscosity(on, p, scene, system, dt, MixtureCoupling<Dim>{scene});
 }
 
 /// Pair sweep: the volume flux at a water particle, q = n v_water + (1 - n) v_grains, into the work quad.

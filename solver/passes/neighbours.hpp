@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/hilbert.hpp"
-#include "solver/particles.hpp"
+#include "solver/passes/time_step.hpp"
 
 // Neighbour lists: particles are sorted along a Hilbert curve of cells one list reach wide, and every cluster of four
 // consecutive ones gets one list of all particles within reach of any of them. The reach exceeds the kernel's support
@@ -427,23 +427,21 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   }
 
   const std::uint8_t* flags = about.data();
-  on.select(
-      p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) != 0; },
-      p.clusters_with_sediment);
-  on.select(
-      p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) == 0; }, p.clusters_of_water);
+  Selection<Device> selection(on);
+  selection.choose(
+      p.all_fluid(), [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) != 0; }, p.clusters_with_sediment);
+  selection.choose(
+      p.all_fluid(), [=] HOST_DEVICE(Index c) { return (flags[c] & reaches_sediment) == 0; }, p.clusters_of_water);
   if (scene.has_states) {
     constexpr std::uint8_t both = has_sediment | reaches_water;
-    on.select(
-        p.fluid_clusters, [=] HOST_DEVICE(Index c) { return (flags[c] & both) == both; }, p.clusters_at_bed_surface);
+    selection.choose(
+        p.all_fluid(), [=] HOST_DEVICE(Index c) { return (flags[c] & both) == both; }, p.clusters_at_bed_surface);
   }
   const Index fluid_clusters = p.fluid_clusters;
-  on.select(
-      p.clusters - p.fluid_clusters,
-      [=] HOST_DEVICE(Index c) { return list.begin[fluid_clusters + c + 1] > list.begin[fluid_clusters + c]; },
-      p.clusters_of_walls);
-  Index* walls = p.clusters_of_walls.data();
-  on.for_each(static_cast<Index>(p.clusters_of_walls.size()), [=] HOST_DEVICE(Index n) { walls[n] += fluid_clusters; });
+  selection.choose(
+      p.clusters - p.fluid_clusters, [=] HOST_DEVICE(Index n) { return fluid_clusters + n; },
+      [=] HOST_DEVICE(Index c) { return list.begin[c + 1] > list.begin[c]; }, p.clusters_of_walls);
+  selection.finish();
 }
 
 /// Whether a particle has left the domain since the lists were made.
@@ -455,38 +453,48 @@ bool has_excluded(Device& on, const Particles<Device>& p) {
       [] HOST_DEVICE(bool a, bool b) { return a || b; });
 }
 
-/// Largest squared distance a particle has moved since the lists were made [m^2]; infinite when one was excluded.
+/// How far a particle has moved since the lists were made, squared [m^2]; infinite when it was excluded.
+template <int Dim>
+struct SquaredDrift {
+  const Record* records;
+  const Place* listed;
+  Vec<Dim, float> quantum;
+  Index fluid;
+
+  HOST_DEVICE float operator()(Index i) const {
+    if (records[i].volume == 0 && i < fluid) return INFINITY;
+    float d2 = 0;
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      const float d = static_cast<float>(Lattice<Dim>::difference(records[i].place[c], listed[i].c[c])) * quantum[k];
+      d2 += d * d;
+    }
+    return d2;
+  }
+};
+
+/// Finds the largest of them, among all that can move.
 template <int Dim, class Device>
-float squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
-  const Record* records = p.record.data();
-  const Place* listed = p.listed_at.data();
-  const Vec<Dim, float> quantum = scene.lattice.quantum;
-  const Index fluid = p.fluid_count;
-  return on.reduce(
-      scene.has_moving_walls ? p.count : fluid, 0.0F,
-      [=] HOST_DEVICE(Index i) {
-        if (records[i].volume == 0 && i < fluid) return INFINITY;
-        float d2 = 0;
-        for (int k = 0; k < Dim; ++k) {
-          const int c = axis<Dim>(k);
-          const float d =
-              static_cast<float>(Lattice<Dim>::difference(records[i].place[c], listed[i].c[c])) * quantum[k];
-          d2 += d * d;
-        }
-        return d2;
-      },
-      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
+void find_squared_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
+  on.reduce_then(
+      scene.has_moving_walls ? p.count : p.fluid_count, 0.0F,
+      SquaredDrift<Dim>{p.record.data(), p.listed_at.data(), scene.lattice.quantum, p.fluid_count},
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; },
+      [=] HOST_DEVICE(float found) { state->squared_drift = found; });
 }
 
 }  // namespace neighbours
 
-/// Sorts particles and rebuilds the lists if some particle has used up its skin. Returns what was excluded since the
-/// last rebuild; `rebuilt` counts rebuilds.
-template <int Dim, class Device>
-std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
-                                                 std::int64_t& rebuilt) {
+/// Whether lists serve no longer when some particle has moved so far [m^2].
+template <int Dim>
+bool are_worn_out(const Scene<Dim>& scene, float squared_drift) {
   const auto slack = static_cast<float>((scene.list_reach - 2 * scene.smoothing_length) / 2);
-  if (!p.listed_at.empty() && neighbours::squared_drift(on, p, scene) < slack * slack) return {};
+  return !(squared_drift < slack * slack);
+}
+
+/// Sorts particles and makes the lists anew. Returns what was excluded since the last time.
+template <int Dim, class Device>
+std::vector<ExcludedParticle> rebuild_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   auto excluded = neighbours::sort_particles(on, p, scene);
   neighbours::build_lists(on, p, scene);
   p.listed_at.resize(p.count);
@@ -495,7 +503,6 @@ std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& 
   on.for_each(p.count, [=] HOST_DEVICE(Index i) {
     for (int k = 0; k < 3; ++k) listed[i].c[k] = records[i].place[k];
   });
-  ++rebuilt;
   return excluded;
 }
 

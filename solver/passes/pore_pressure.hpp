@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "solver/particles.hpp"
+#include "solver/passes/time_step.hpp"
 #include "solver/physics/consolidation.hpp"
 
 // Excess pore pressure p_e on the sediment of a single-layer bed:
@@ -74,7 +74,8 @@ struct DiffusionStage {
   Scene<Dim> scene;
   float mu;
   float nu;
-  float tau;  // [m^2]
+  float diffusivity;  // of the stage [m^2/s]
+  const StepState* state;
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
@@ -88,6 +89,7 @@ struct DiffusionStage {
     const float p = r.work[0];
     const float of_before = before[i];
     before[i] = p;
+    const auto tau = static_cast<float>(double(diffusivity) * state->step.dt);
     if (r.phase == phase_sediment) pressure[i] = mu * p + nu * of_before + tau * (sum.laplacian - loss[i] * p);
   }
 };
@@ -100,15 +102,17 @@ double explicit_diffusion_step(const Scene<Dim>& scene) {
   return scene.smoothing_length * scene.smoothing_length / (largest_row * double(scene.seepage.consolidation));
 }
 
-/// The whole step dt: source, then diffusion. excess_pore_pressure of particles other than sediment stays 0.
+/// The whole step: source, then diffusion, in as many stages as a step of `longest` [s] would need.
+/// excess_pore_pressure of particles other than sediment stays 0.
 template <int Dim, class Device>
 void advance_pore_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& scene, PoreDiffusion<Device>& diffusion,
-                           double dt) {
+                           const StepState* state, double longest) {
   Record* records = p.record.data();
   const Rates* rates = p.rates.data();
   float* pressure = p.excess_pore_pressure.data();
-  const auto source = static_cast<float>(double(scene.seepage.pore_stiffness) * dt);
+  const auto stiffness = static_cast<double>(scene.seepage.pore_stiffness);
   on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) {
+    const auto source = static_cast<float>(stiffness * state->step.dt);
     if (records[i].phase == phase_sediment) pressure[i] += source * rates[i].excess_rate;
   });
   diffusion.stages = 0;
@@ -122,14 +126,14 @@ void advance_pore_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
     on.template sweep<Dim>(p.list(), p.near_sediment(), records, scene.lattice.quantum, body);
   };
   sweep(DrainageSweep<Dim>{records, loss, scene});
-  const int stages = legendre_stages(dt / explicit_diffusion_step(scene));
+  const int stages = legendre_stages(longest / explicit_diffusion_step(scene));
   const double share = 2.0 / (double(stages) * (stages + 1));
   for (int j = 1; j <= stages; ++j) {
     on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) { records[i].work[0] = pressure[i]; });
     const double mu = j == 1 ? 1 : (2.0 * j - 1) / j;
-    const double tau = mu * share * dt * double(scene.seepage.consolidation);
+    const double diffusivity = mu * share * double(scene.seepage.consolidation);
     sweep(DiffusionStage<Dim>{records, loss, before, pressure, scene, static_cast<float>(mu),
-                              static_cast<float>(j == 1 ? 0 : (1.0 - j) / j), static_cast<float>(tau)});
+                              static_cast<float>(j == 1 ? 0 : (1.0 - j) / j), static_cast<float>(diffusivity), state});
   }
   diffusion.stages = stages;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solver/particles.hpp"
 #include "solver/passes/pressure.hpp"
+#include "solver/passes/time_step.hpp"
 
 // Deposits that rest. Sediment which has been below yield and slow for a while, with nothing moving in reach and
 // something that holds it, stops exactly: it is a wall to its neighbours, leaves the viscous solve and costs next to
@@ -39,36 +39,30 @@ HOST_DEVICE inline void wake(Record& r, Sediment& s) {
   for (float& a : s.viscous_acceleration) a = 0;
 }
 
-/// Counts of what a pass changed.
-struct Changes {
-  Index woken = 0;
-  Index stopped = 0;
-};
-
-/// Particle pass: time the particle has been calm, and waking.
+/// Particle pass: time the particle has been calm, and waking; returns how many it woke.
 struct CalmPass {
   Record* records;
   Sediment* sediment;
   RestCriteria criteria;
   float repose_tangent;
-  float dt;
+  const StepState* state;
 
-  HOST_DEVICE Changes operator()(Index i) const {
+  HOST_DEVICE Index operator()(Index i) const {
     Record& r = records[i];
-    if (r.phase != phase_sediment) return {};
+    if (r.phase != phase_sediment) return 0;
     Sediment& s = sediment[i];
     const bool steep = s.bed_slope > repose_tangent;
     if (is_resting(r)) {
-      if (!steep && s.strain_rate < criteria.wake_shear_rate) return {};
+      if (!steep && s.strain_rate < criteria.wake_shear_rate) return 0;
       wake(r, s);
-      return {1, 0};
+      return 1;
     }
     float u2 = 0;
     for (const float u : r.velocity) u2 += u * u;
     const bool calm = !steep && s.strain_rate < criteria.shear_rate && u2 < criteria.speed * criteria.speed &&
                       r.state == state_deposit;
-    s.calm = calm ? s.calm + dt : 0;
-    return {};
+    s.calm = calm ? s.calm + static_cast<float>(state->step.dt) : 0;
+    return 0;
   }
 };
 
@@ -103,19 +97,6 @@ struct MayStop {
 
 }  // namespace rest
 
-namespace rest {
-
-/// The clusters in range for which keep(cluster), in order.
-template <class Device, class Keep>
-void choose(Device& on, ClusterRange from, const Keep& keep, typename Device::template Buffer<Index>& chosen) {
-  on.select(
-      from.count, [=] HOST_DEVICE(Index n) { return keep(from[n]); }, chosen);
-  Index* c = chosen.data();
-  on.for_each(static_cast<Index>(chosen.size()), [=] HOST_DEVICE(Index n) { c[n] = from[c[n]]; });
-}
-
-}  // namespace rest
-
 /// Makes the lists of clusters that have to be computed after sediment has stopped or woken, or the neighbour lists are
 /// new.
 template <class Device>
@@ -137,59 +118,55 @@ void list_active_clusters(Device& on, Particles<Device>& p) {
   const ClusterRange sediment{p.clusters_with_sediment.data(), static_cast<Index>(p.clusters_with_sediment.size())};
   const ClusterRange walls{p.clusters_of_walls.data(), static_cast<Index>(p.clusters_of_walls.size())};
   const auto all_rest = [=] HOST_DEVICE(Index c) { return resting_members(c) == list.last(c) - list.first(c); };
-  rest::choose(
-      on, sediment, [=] HOST_DEVICE(Index c) { return resting_members(c) > 0 && !all_rest(c); },
-      p.clusters_part_resting);
-  rest::choose(
-      on, sediment, [=] HOST_DEVICE(Index c) { return !all_rest(c); }, p.clusters_active);
-  rest::choose(
-      on, sediment, [=] HOST_DEVICE(Index c) { return all_rest(c) && active_in_reach(c); }, p.clusters_shore);
-  rest::choose(on, walls, active_in_reach, p.clusters_of_walls_active);
+  Selection<Device> selection(on);
+  selection.choose(
+      sediment, [=] HOST_DEVICE(Index c) { return resting_members(c) > 0 && !all_rest(c); }, p.clusters_part_resting);
+  selection.choose(
+      sediment, [=] HOST_DEVICE(Index c) { return !all_rest(c); }, p.clusters_active);
+  selection.choose(
+      sediment, [=] HOST_DEVICE(Index c) { return all_rest(c) && active_in_reach(c); }, p.clusters_shore);
+  selection.choose(walls, active_in_reach, p.clusters_of_walls_active);
+  selection.finish();
   p.any_resting = p.clusters_active.size() < p.clusters_with_sediment.size() || p.clusters_part_resting.size() > 0;
 }
 
-/// Wakes the sediment in reach of walls that move; true if there was some.
+/// Wakes the sediment in reach of walls that move, and counts it.
 template <int Dim, class Device>
-bool wake_beside_moving_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+void wake_beside_moving_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
   const ClusterList list = p.list();
-  bool any = false;
   for (const ClusterRange range : {p.shore(), p.part_resting()}) {
-    any = on.reduce(
-              range.count, false,
-              [=] HOST_DEVICE(Index n) {
-                const Index c = range[n];
-                bool woken = false;
-                for (Index i = list.first(c); i < list.last(c); ++i) {
-                  if (!is_resting(records[i])) continue;
-                  for (Index e = list.begin[c]; e < list.begin[c + 1] && is_resting(records[i]); ++e) {
-                    const Record& b = records[list.entries[e]];
-                    if (!rest::is_moving_wall(b) || !rest::in_reach(scene, records[i], b)) continue;
-                    rest::wake(records[i], sediment[i]);
-                    woken = true;
-                  }
-                }
-                return woken;
-              },
-              [] HOST_DEVICE(bool a, bool b) { return a || b; }) ||
-          any;
+    on.reduce_then(
+        range.count, Index{0},
+        [=] HOST_DEVICE(Index n) {
+          const Index c = range[n];
+          Index woken = 0;
+          for (Index i = list.first(c); i < list.last(c); ++i) {
+            if (!is_resting(records[i])) continue;
+            for (Index e = list.begin[c]; e < list.begin[c + 1] && is_resting(records[i]); ++e) {
+              const Record& b = records[list.entries[e]];
+              if (!rest::is_moving_wall(b) || !rest::in_reach(scene, records[i], b)) continue;
+              rest::wake(records[i], sediment[i]);
+              ++woken;
+            }
+          }
+          return woken;
+        },
+        [] HOST_DEVICE(Index a, Index b) { return a + b; }, [=] HOST_DEVICE(Index woken) { state->woken += woken; });
   }
-  return any;
 }
 
-/// Wakes and stops sediment by what the last step of dt seconds found; `already_woken` that something else has woken
-/// some.
+/// Wakes and stops sediment by what the last step found, and counts both; where it did, list_active_clusters has to
+/// follow.
 template <int Dim, class Device>
-void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, double dt, bool already_woken = false) {
-  using rest::Changes;
+void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
-  const rest::CalmPass calm{records, sediment, scene.rest, scene.sediment.yield_coefficient, static_cast<float>(dt)};
-  const auto sum = [] HOST_DEVICE(Changes a, const Changes& b) {
-    return Changes{a.woken + b.woken, a.stopped + b.stopped};
-  };
-  const Changes woken = on.reduce(p.fluid_count, Changes{}, calm, sum);
+  const auto sum = [] HOST_DEVICE(Index a, Index b) { return a + b; };
+  on.reduce_then(p.fluid_count, Index{0},
+                 rest::CalmPass{records, sediment, scene.rest, scene.sediment.yield_coefficient, state}, sum,
+                 [=] HOST_DEVICE(Index woken) { state->woken += woken; });
 
   p.stopping.resize(p.fluid_count);
   std::uint8_t* stopping = p.stopping.data();
@@ -198,10 +175,10 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, doub
   Rates* rates = p.rates.data();
   // What stops has the pressure and volume of its last density: the equation of state leaves it alone from now on.
   const EquationOfStatePass<Dim> take_state{records, p.mass.data(), scene};
-  const Changes stopped = on.reduce(
-      p.fluid_count, Changes{},
+  on.reduce_then(
+      p.fluid_count, Index{0},
       [=] HOST_DEVICE(Index i) {
-        if (stopping[i] == 0) return Changes{};
+        if (stopping[i] == 0) return Index{0};
         take_state(i);
         records[i].state = state_resting;
         for (int c = 0; c < 3; ++c) {
@@ -209,10 +186,9 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, doub
         }
         rates[i] = {};
         sediment[i].strain_rate = 0;
-        return Changes{0, 1};
+        return Index{1};
       },
-      sum);
-  if (already_woken || woken.woken + stopped.stopped > 0) list_active_clusters(on, p);
+      sum, [=] HOST_DEVICE(Index stopped) { state->stopped += stopped; });
 }
 
 }  // namespace thalweg

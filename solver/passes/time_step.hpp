@@ -37,15 +37,50 @@ struct TimeStep {
   Extremes extremes;
 };
 
+/// How the viscous part of a step goes (passes/viscosity.hpp).
+struct ViscousState {
+  // Sums over the particles near sediment of the residual r and the preconditioned one u = r/diagonal.
+  double preconditioned = 0;  // r . u
+  double before = 0;          // the same before the last iteration
+  double alpha = 0;
+  double beta = 0;
+  double scale = 0;     // [kg m/s] what residuals are compared with
+  double residual = 0;  // over that [-]
+  int iterations = 0;
+  int running = 0;    // more iterations are needed
+  int converged = 1;  // always, where nothing is to be solved
+};
+
+/// The step under way, kept where the passes read it: on the device, so that the host need not wait between them. It
+/// sends a fresh one before every step and looks at it after.
+struct StepState {
+  double longest = INFINITY;  // [s] the step may be
+  TimeStep step;
+  Extremes walls;                // those that move; squares of speed and acceleration
+  float sediment_viscosity = 0;  // [m^2/s] largest, where it is treated explicitly
+  int go = 1;                    // 0: the run has diverged
+  int moves = 1;                 // 0: that, or the viscous solve is not at its end; no particle moves
+  ViscousState viscous;
+  std::int64_t capped = 0;  // particles whose viscosity was cut
+  Index woken = 0;          // particles of the bed
+  Index stopped = 0;
+  float squared_drift = 0;  // [m^2] largest, since the lists were made; infinite where a particle left the domain
+};
+
 /// A density this far from its rest value means that the run has diverged: water does not compress by a third, and the
 /// equation of state is used within a few percent.
 inline constexpr float most_excess = 0.33F;
 
+/// A step that finds the run diverged stops where it is and says so; no particle has moved by then.
+HOST_DEVICE inline bool has_diverged(const Extremes& extremes) {
+  return !extremes.finite || extremes.excess > most_excess;
+}
+
 template <class Device>
-Extremes find_extremes(Device& on, const Particles<Device>& p) {
+void find_extremes(Device& on, const Particles<Device>& p, StepState* state) {
   const Record* records = p.record.data();
   const Rates* rates = p.rates.data();
-  return on.reduce(
+  on.reduce_then(
       p.fluid_count, Extremes{},
       [=] HOST_DEVICE(Index i) {
         const Record& r = records[i];
@@ -65,15 +100,16 @@ Extremes find_extremes(Device& on, const Particles<Device>& p) {
         a.excess = a.excess > b.excess ? a.excess : b.excess;
         a.finite = a.finite && b.finite;
         return a;
-      });
+      },
+      [=] HOST_DEVICE(const Extremes& found) { state->step.extremes = found; });
 }
 
 /// Squares of the largest speed and acceleration of walls that move.
 template <class Device>
-Extremes find_wall_extremes(Device& on, const Particles<Device>& p) {
+void find_wall_extremes(Device& on, const Particles<Device>& p, StepState* state) {
   const Record* records = p.record.data() + p.fluid_count;
   const Rates* rates = p.rates.data() + p.fluid_count;
-  return on.reduce(
+  on.reduce_then(
       p.count - p.fluid_count, Extremes{},
       [=] HOST_DEVICE(Index i) {
         Extremes e;
@@ -88,54 +124,85 @@ Extremes find_wall_extremes(Device& on, const Particles<Device>& p) {
         a.speed2 = a.speed2 > b.speed2 ? a.speed2 : b.speed2;
         a.acceleration2 = a.acceleration2 > b.acceleration2 ? a.acceleration2 : b.acceleration2;
         return a;
-      });
+      },
+      [=] HOST_DEVICE(const Extremes& found) { state->walls = found; });
 }
 
-/// Largest kinematic viscosity of the sediment and between it and the water [m^2/s], for speed differences up to u
-/// [m/s].
+/// Largest kinematic viscosity of the sediment [m^2/s].
 template <int Dim, class Device>
-double largest_sediment_viscosity(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, double u) {
+void find_sediment_viscosity(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
   const Record* records = p.record.data();
   const float density_at_rest = scene.sediment_density;
-  const float in_the_bed = on.reduce(
+  on.reduce_then(
       p.fluid_count, 0.0F,
       [=] HOST_DEVICE(Index i) {
         const Record& r = records[i];
         return r.phase == phase_sediment && r.volume != 0 ? r.viscosity / (density_at_rest * (1 + r.excess)) : 0.0F;
       },
-      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
-  const float lighter = scene.water_density < density_at_rest ? scene.water_density : density_at_rest;
-  const float between = interface_viscosity(scene.water_viscosity, scene.water_density, static_cast<float>(u),
-                                            static_cast<float>(scene.spacing)) /
-                        lighter;
-  return in_the_bed > between ? in_the_bed : between;
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; },
+      [=] HOST_DEVICE(float found) { state->sediment_viscosity = found; });
 }
 
-/// The largest stable step (Monaghan 1992; Morris et al. 1997), C = scene.cfl:
+template <int Dim>
+HOST_DEVICE bool has_explicit_sediment(const Scene<Dim>& scene) {
+  return scene.has_sediment && scene.viscosity == ViscosityTreatment::explicit_steps;
+}
+
+/// The largest stable step (Monaghan 1992; Morris et al. 1997) for what was found, C = scene.cfl:
 ///   sound      C h / (c + |u|max)
 ///   force      C sqrt(h / |a|max)            walls that move count in both
-///   viscosity  0.125 h^2/nu of what is treated explicitly: the water's own viscosity, the sediment's where it is not
-///              implicit or capped
-template <int Dim, class Device>
-TimeStep stable_time_step(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
-  TimeStep step;
-  step.extremes = find_extremes(on, p);
+///   viscosity  0.125 h^2/nu of what is treated explicitly: the water's own viscosity, the sediment's and that between
+///              both where they are not implicit or capped
+template <int Dim>
+HOST_DEVICE void choose_step(const Scene<Dim>& scene, StepState& state) {
+  TimeStep& step = state.step;
+  const auto shorten = [&step](double dt, Limiter limiter) {
+    if (dt < step.dt) step.dt = dt, step.limiter = limiter;
+  };
   const double h = scene.smoothing_length;
-  const Extremes walls = scene.has_moving_walls ? find_wall_extremes(on, p) : Extremes{};
-  const double u = std::sqrt(double(std::fmax(step.extremes.speed2, walls.speed2)));
-  const double a = std::sqrt(double(std::fmax(step.extremes.acceleration2, walls.acceleration2)));
+  const double u = std::sqrt(double(std::fmax(step.extremes.speed2, state.walls.speed2)));
+  const double a = std::sqrt(double(std::fmax(step.extremes.acceleration2, state.walls.acceleration2)));
   step.dt = scene.cfl * h / (double(scene.sound_speed) * scene.seepage.fast_wave + u);
-  const double force = a > 0 ? scene.cfl * std::sqrt(h / a) : step.dt;
-  if (force < step.dt) step.dt = force, step.limiter = Limiter::force;
+  step.limiter = Limiter::sound;
+  if (a > 0) shorten(scene.cfl * std::sqrt(h / a), Limiter::force);
   if (scene.water_viscosity > 0) {
-    const double viscous = 0.125 * h * h * double(scene.water_density) / double(scene.water_viscosity);
-    if (viscous < step.dt) step.dt = viscous, step.limiter = Limiter::viscosity;
+    shorten(0.125 * h * h * double(scene.water_density) / double(scene.water_viscosity), Limiter::viscosity);
   }
-  if (scene.has_sediment && scene.viscosity == ViscosityTreatment::explicit_steps) {
-    const double viscous = viscous_time_step(h, largest_sediment_viscosity(on, p, scene, 2 * u));
-    if (viscous < step.dt) step.dt = viscous, step.limiter = Limiter::viscosity;
+  if (has_explicit_sediment(scene)) {
+    const float lighter = scene.water_density < scene.sediment_density ? scene.water_density : scene.sediment_density;
+    const float between = interface_viscosity(scene.water_viscosity, scene.water_density, static_cast<float>(2 * u),
+                                              static_cast<float>(scene.spacing)) /
+                          lighter;
+    const double nu = state.sediment_viscosity > between ? state.sediment_viscosity : between;
+    shorten(viscous_time_step(h, nu), Limiter::viscosity);
   }
-  return step;
+}
+
+/// Shortens the step so that an output time is met exactly; the two last steps share what is left, lest a tiny one
+/// remain.
+HOST_DEVICE inline void land_on_output(TimeStep& step, double longest) {
+  if (2 * step.dt <= longest) return;
+  step.limiter = Limiter::output;
+  step.dt = step.dt >= longest ? longest : longest / 2;
+}
+
+/// Chooses the step; where the run has diverged nothing more goes on.
+template <int Dim, class Device>
+void stable_time_step(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
+  find_extremes(on, p, state);
+  if (scene.has_moving_walls) find_wall_extremes(on, p, state);
+  if (has_explicit_sediment(scene)) find_sediment_viscosity(on, p, scene, state);
+  on.for_each(1, [=] HOST_DEVICE(Index) {
+    choose_step(scene, *state);
+    state->go = state->moves = has_diverged(state->step.extremes) ? 0 : 1;
+    land_on_output(state->step, state->longest);
+  });
+}
+
+/// A bound on every step of a scene [s].
+template <int Dim>
+double longest_stable_step(const Scene<Dim>& scene) {
+  return scene.cfl * scene.smoothing_length / (double(scene.sound_speed) * scene.seepage.fast_wave);
 }
 
 }  // namespace thalweg

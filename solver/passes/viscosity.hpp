@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
-#include "solver/particles.hpp"
+#include "solver/passes/time_step.hpp"
 #include "solver/physics/pair_terms.hpp"
 
 // Implicit viscosity of the sediment and of the layer between water and sediment: solves
@@ -12,6 +11,9 @@
 // positive definite; it is solved by conjugate gradients with Jacobi preconditioning on the clusters with sediment in
 // reach. An explicit treatment would need steps 50 to 400 times smaller, a cap on the viscosity makes a bed creep
 // (docs/theory.md).
+//
+// The gradients are those of Chronopoulos & Gear (1989): an iteration is one sweep and one pass, each with its sum, and
+// the numbers they exchange stay on the device (ViscousState).
 namespace thalweg {
 
 /// Arrays of the solve, kept between steps.
@@ -20,25 +22,42 @@ struct ViscousSystem {
   template <class T>
   using Buffer = typename Device::template Buffer<T>;
   struct Row {
-    float residual[3];  // [kg m/s]
-    float diagonal;     // [kg]
-    float product[3];   // A p of the last iteration
-    float unused;
+    float residual[3];   // r [kg m/s]
+    float diagonal;      // [kg]
+    float product[3];    // A u, u = r/diagonal in the records' work quad [kg m/s]
+    float direction[3];  // p [m/s]
+    float along[3];      // A p [kg m/s]
     float increment[3];  // of the velocity [m/s]
-    float unused2;
   };
-  Buffer<float> coefficient;  // dt k_ab [kg], one a pair, in the order of the lists
+  Buffer<float> coefficient;  // k_ab [kg/s], one a pair, in the order of the lists
   Buffer<Row> row;
 };
 
-/// How the viscous part of a step went (solve_viscosity; passes/viscous_step.hpp for the last two).
-struct ViscousResult {
-  int iterations = 0;
-  double residual = 0;  // over the momentum one step of gravity gives [-]
-  bool converged = true;
-  int retries = 0;          // solves that had to be made again
-  std::int64_t capped = 0;  // particles whose viscosity was cut
+namespace viscosity {
+
+HOST_DEVICE inline double dot3(const float* a, const float* b) {
+  return double(a[0]) * double(b[0]) + double(a[1]) * double(b[1]) + double(a[2]) * double(b[2]);
+}
+
+/// Sums over particles that the iteration needs.
+struct Norms {
+  double preconditioned = 0;  // r . r / diagonal
+  double squared = 0;         // r . r
+  double momentum = 0;        // square of what gravity and the present accelerations give per time [kg m/s^2]
 };
+struct AddNorms {
+  HOST_DEVICE Norms operator()(const Norms& a, const Norms& b) const {
+    return {a.preconditioned + b.preconditioned, a.squared + b.squared, a.momentum + b.momentum};
+  }
+};
+
+template <class Row>
+HOST_DEVICE Norms norms_of(const Row& row) {
+  const double squared = dot3(row.residual, row.residual);
+  return {squared / double(row.diagonal), squared, 0};
+}
+
+}  // namespace viscosity
 
 /// What couples the velocities of two particles in a single-layer bed: the sediment's viscosity, and the layer between
 /// water and sediment.
@@ -65,8 +84,8 @@ struct ViscousCoupling {
 };
 
 /// Pair sweep: the diagonal and the residual of the velocities u in the records, which are the explicit ones u* and a
-/// first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b). If `stored`, the coefficients dt
-/// k_ab as well.
+/// first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b). If `stored`, the coefficients k_ab
+/// as well.
 template <int Dim, bool stored, class Row, class Coupling>
 struct ViscousCoefficientSweep {
   static constexpr unsigned quads = Coupling::quads;
@@ -78,36 +97,45 @@ struct ViscousCoefficientSweep {
 
   const Record* records;
   const float* mass;
+  const Rates* rates;
   const Sediment* sediment;
   float* coefficient;
   Row* rows;
   Coupling coupling;
-  float dt;
+  const StepState* state;
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
     const Vec<Dim, L> u = a.velocity - b.velocity;
     const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
-    const L k = L(dt) * coupling.coefficient(a, b, u, closeness);
+    const L k = coupling.coefficient(a, b, u, closeness);
     if constexpr (stored) lane_store(coefficient + entry, k);
     sum.coefficients += k;
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
   }
 
-  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
-    Row& row = rows[i];
-    row.diagonal = mass[i] + sum.coefficients;
-    for (int c = 0; c < 3; ++c) row.increment[c] = row.residual[c] = row.product[c] = 0;
-    if (is_resting(records[i])) return;
-    for (int c = 0; c < Dim; ++c) {
+  /// The sums the iteration starts from.
+  HOST_DEVICE viscosity::Norms end(Index i, const Sum<float>& sum) const {
+    const auto dt = static_cast<float>(state->step.dt);
+    Row row{};
+    row.diagonal = mass[i] + dt * sum.coefficients;
+    const float* viscous = sediment[i].viscous_acceleration;
+    for (int c = 0; c < Dim && !is_resting(records[i]); ++c) {
       const int k = axis<Dim>(c);
-      row.residual[k] = -mass[i] * dt * sediment[i].viscous_acceleration[k] - sum.exchange[c];
+      row.residual[k] = -dt * (mass[i] * viscous[k] + sum.exchange[c]);
     }
+    rows[i] = row;
+    viscosity::Norms norms = viscosity::norms_of(row);
+    const double m = mass[i];
+    double a2 = viscosity::dot3(rates[i].acceleration, rates[i].acceleration) + viscosity::dot3(viscous, viscous);
+    for (int k = 0; k < Dim; ++k) a2 += double(coupling.scene.gravity[k]) * double(coupling.scene.gravity[k]);
+    norms.momentum = m * m * a2;
+    return norms;
   }
 };
 
-/// Pair sweep: A p, p in the records' work quad; the coefficients dt k_ab as stored, or computed again from the
-/// velocities u, which stay in the records until the iteration is over.
+/// Pair sweep: A u, u in the records' work quad; the coefficients k_ab as stored, or computed again from the
+/// velocities, which stay in the records until the iteration is over. Returns u . A u.
 template <int Dim, bool stored, class Row, class Coupling>
 struct ViscousProductSweep {
   static constexpr unsigned quads = stored ? unsigned{quad_work} : quad_work | Coupling::quads;
@@ -121,7 +149,7 @@ struct ViscousProductSweep {
   const float* coefficient;
   Row* rows;
   Coupling coupling;
-  float dt;
+  const StepState* state;
 
   template <class LaneT, class Sep, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
@@ -130,143 +158,150 @@ struct ViscousProductSweep {
       lane_load(coefficient + entry, k);
     } else {
       const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
-      k = L(dt) * coupling.coefficient(a, b, a.velocity - b.velocity, closeness);
+      k = coupling.coefficient(a, b, a.velocity - b.velocity, closeness);
     }
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * (a.work[c] - b.work[c]);
   }
 
-  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
-    if (is_resting(records[i])) return;  // a wall: its velocity is no unknown
+  HOST_DEVICE double end(Index i, const Sum<float>& sum) const {
+    if (is_resting(records[i])) return 0;  // a wall: its velocity is no unknown
+    const auto dt = static_cast<float>(state->step.dt);
     for (int c = 0; c < Dim; ++c) {
-      rows[i].product[axis<Dim>(c)] = mass[i] * records[i].work[axis<Dim>(c)] + sum.exchange[c];
+      rows[i].product[axis<Dim>(c)] = mass[i] * records[i].work[axis<Dim>(c)] + dt * sum.exchange[c];
     }
+    return viscosity::dot3(records[i].work, rows[i].product);
+  }
+};
+
+/// Particle pass: the rest of an iteration, from the A u that the sweep found. Returns the sums of the new residual.
+template <class Row>
+struct ViscousUpdatePass {
+  Record* records;
+  Row* rows;
+  const StepState* state;
+
+  HOST_DEVICE viscosity::Norms operator()(Index i) const {
+    const auto alpha = static_cast<float>(state->viscous.alpha);
+    const auto beta = static_cast<float>(state->viscous.beta);
+    Row& row = rows[i];
+    float* u = records[i].work;
+    for (int c = 0; c < 3; ++c) {
+      row.direction[c] = u[c] + beta * row.direction[c];
+      row.along[c] = row.product[c] + beta * row.along[c];
+      row.increment[c] += alpha * row.direction[c];
+      row.residual[c] -= alpha * row.along[c];
+      u[c] = row.residual[c] / row.diagonal;
+    }
+    return viscosity::norms_of(row);
   }
 };
 
 namespace viscosity {
 
-HOST_DEVICE inline double dot3(const float* a, const float* b) {
-  return double(a[0]) * double(b[0]) + double(a[1]) * double(b[1]) + double(a[2]) * double(b[2]);
-}
-
-/// The two sums the iteration needs of the residuals.
-struct Norms {
-  double preconditioned = 0;  // r . r / diagonal
-  double squared = 0;         // r . r
-};
-
-/// Sum of of(i) over those particles, `of` returning double or Norms; may change what it visits.
-template <class T, class Device, class Of>
-T sum_over_members(Device& on, const ClusterList& list, ClusterRange range, const Of& of) {
-  const auto add = [] HOST_DEVICE(T a, const T& b) {
-    if constexpr (std::is_same_v<T, Norms>) {
-      return Norms{a.preconditioned + b.preconditioned, a.squared + b.squared};
-    } else {
-      return a + b;
-    }
-  };
-  return on.reduce(
-      range.count, T{},
-      [=] HOST_DEVICE(Index n) {
-        const Index c = range[n];
-        T sum{};
-        for (Index i = list.first(c); i < list.last(c); ++i) sum = add(sum, of(i));
-        return sum;
-      },
-      add);
-}
-
-template <class Row>
-HOST_DEVICE Norms norms_of(const Row& row) {
-  const double squared = dot3(row.residual, row.residual);
-  return {squared / double(row.diagonal), squared};
-}
-
-/// Root of the summed squares of the momentum that gravity and the present accelerations give in a step [kg m/s].
-template <int Dim, class Device>
-double momentum_of_a_step(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, float dt) {
-  double g2 = 0;
-  for (int k = 0; k < Dim; ++k) g2 += double(scene.gravity[k]) * double(scene.gravity[k]);
-  const float* mass = p.mass.data();
-  const Rates* rates = p.rates.data();
-  const Sediment* sediment = p.sediment.data();
-  const double squares = sum_over_members<double>(on, p.list(), p.near_sediment(), [=] HOST_DEVICE(Index i) {
-    const double m = mass[i];
-    const float* viscous = sediment[i].viscous_acceleration;
-    return m * m * (g2 + dot3(rates[i].acceleration, rates[i].acceleration) + dot3(viscous, viscous));
-  });
-  return double(dt) * std::sqrt(squares);
+/// Whether the iteration is over, of a residual whose square is given.
+HOST_DEVICE inline void judge(ViscousState& v, double squared, double tolerance, int most_iterations) {
+  v.residual = v.scale > 0 ? std::sqrt(squared) / v.scale : 0;
+  v.converged = v.residual <= tolerance ? 1 : 0;
+  v.running = v.converged == 0 && v.iterations < most_iterations && std::isfinite(v.residual) ? 1 : 0;
 }
 
 }  // namespace viscosity
 
-/// Replaces the velocities of the fluid near sediment by the solution, or leaves them where the iteration did not
-/// converge within scene.viscous_iterations. The residual it stops at is
-/// scene.viscous_tolerance of the momentum that gravity and the present accelerations give in one step (without
-/// gravity: of the first residual).
+/// Begins the solve for the velocities of the fluid near sediment at the end of the step of state->step.dt. The
+/// residual it will stop at is scene.viscous_tolerance of the momentum that gravity and the present accelerations give
+/// in one step (without gravity: of the first residual).
 template <int Dim, class Device, class Coupling>
-ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
-                              float dt, const Coupling& coupling) {
-  using viscosity::dot3;
+void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                         StepState* state, const Coupling& coupling) {
   using Row = typename ViscousSystem<Device>::Row;
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
-  if (range.count == 0) return {};
+  if (range.count == 0) return;
   constexpr bool stored = Device::stores_coefficients || Coupling::needs_stored;
   if constexpr (stored) system.coefficient.resize(p.list_entries.size() * cluster_size);
   system.row.resize(p.count);
   Record* records = p.record.data();
   Row* rows = system.row.data();
-  const float* mass = p.mass.data();
   Sediment* sediment = p.sediment.data();
-  using viscosity::Norms;
-  const auto total = [&](const auto& of) { return viscosity::sum_over_members<double>(on, list, range, of); };
-  const auto norms = [&](const auto& of) { return viscosity::sum_over_members<Norms>(on, list, range, of); };
-  const auto each = [&](const auto& body) { for_each_member(on, list, range, body); };
-
   // What viscosity did in the last step is the best guess of what it does in this one.
-  each([=] HOST_DEVICE(Index i) {
+  for_each_member(on, list, range, [=] HOST_DEVICE(Index i) {
+    const auto dt = static_cast<float>(state->step.dt);
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
   });
-  on.template sweep<Dim>(list, range, records, scene.lattice.quantum,
-                         ViscousCoefficientSweep<Dim, stored, Row, Coupling>{
-                             records, mass, sediment, system.coefficient.data(), rows, coupling, dt});
-  Norms now = norms([=] HOST_DEVICE(Index i) {
+  const double tolerance = scene.viscous_tolerance;
+  const int most_iterations = scene.viscous_iterations;
+  on.template sweep_then<Dim>(
+      list, range, records, scene.lattice.quantum,
+      ViscousCoefficientSweep<Dim, stored, Row, Coupling>{records, p.mass.data(), p.rates.data(), sediment,
+                                                          system.coefficient.data(), rows, coupling, state},
+      viscosity::Norms{}, viscosity::AddNorms{}, [=] HOST_DEVICE(const viscosity::Norms& norms) {
+        ViscousState& v = state->viscous;
+        v = {};
+        v.preconditioned = norms.preconditioned;
+        v.scale = state->step.dt * std::sqrt(norms.momentum);
+        if (v.scale == 0) v.scale = std::sqrt(norms.squared);
+        viscosity::judge(v, norms.squared, tolerance, most_iterations);
+      });
+  for_each_member(on, list, range, [=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
-    return viscosity::norms_of(rows[i]);
   });
-  double scale = viscosity::momentum_of_a_step(on, p, scene, dt);
-  if (scale == 0) scale = std::sqrt(now.squared);
+}
 
-  ViscousResult result;
-  while (true) {
-    result.residual = scale > 0 ? std::sqrt(now.squared) / scale : 0;
-    result.converged = result.residual <= scene.viscous_tolerance;
-    if (result.converged || result.iterations == scene.viscous_iterations || !std::isfinite(result.residual)) break;
-    on.template sweep<Dim>(
+/// At most so many iterations of the solve begun; on the host it stops when the solve is over.
+template <int Dim, class Device, class Coupling>
+void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                           StepState* state, int iterations, const Coupling& coupling) {
+  using Row = typename ViscousSystem<Device>::Row;
+  const ClusterList list = p.list();
+  const ClusterRange range = p.near_sediment();
+  if (range.count == 0) return;
+  constexpr bool stored = Device::stores_coefficients || Coupling::needs_stored;
+  Record* records = p.record.data();
+  Row* rows = system.row.data();
+  const double tolerance = scene.viscous_tolerance;
+  const int most_iterations = scene.viscous_iterations;
+  const int* const outer = on.only_if(&state->viscous.running);
+  for (int n = 0; n < iterations; ++n) {
+    if constexpr (Device::is_host) {
+      if (state->viscous.running == 0) break;
+    }
+    on.template sweep_then<Dim>(
         list, range, records, scene.lattice.quantum,
-        ViscousProductSweep<Dim, stored, Row, Coupling>{records, mass, system.coefficient.data(), rows, coupling, dt});
-    const double pAp = total([=] HOST_DEVICE(Index i) { return dot3(records[i].work, rows[i].product); });
-    const auto alpha = static_cast<float>(now.preconditioned / pAp);
-    const Norms next = norms([=] HOST_DEVICE(Index i) {
-      for (int c = 0; c < 3; ++c) {
-        rows[i].increment[c] += alpha * records[i].work[c];
-        rows[i].residual[c] -= alpha * rows[i].product[c];
-      }
-      return viscosity::norms_of(rows[i]);
-    });
-    const auto beta = static_cast<float>(next.preconditioned / now.preconditioned);
-    now = next;
-    each([=] HOST_DEVICE(Index i) {
-      for (int c = 0; c < 3; ++c)
-        records[i].work[c] = rows[i].residual[c] / rows[i].diagonal + beta * records[i].work[c];
-    });
-    ++result.iterations;
+        ViscousProductSweep<Dim, stored, Row, Coupling>{records, p.mass.data(), system.coefficient.data(), rows,
+                                                        coupling, state},
+        0.0, [] HOST_DEVICE(double a, double b) { return a + b; },
+        [=] HOST_DEVICE(double product) {
+          ViscousState& v = state->viscous;
+          v.beta = v.iterations == 0 ? 0 : v.preconditioned / v.before;
+          v.alpha = v.preconditioned / (v.iterations == 0 ? product : product - v.beta * v.preconditioned / v.alpha);
+        });
+    reduce_members_then(on, list, range, viscosity::Norms{}, ViscousUpdatePass<Row>{records, rows, state},
+                        viscosity::AddNorms{}, [=] HOST_DEVICE(const viscosity::Norms& norms) {
+                          ViscousState& v = state->viscous;
+                          v.before = v.preconditioned;
+                          v.preconditioned = norms.preconditioned;
+                          ++v.iterations;
+                          viscosity::judge(v, norms.squared, tolerance, most_iterations);
+                        });
   }
-  const bool converged = result.converged;
-  each([=] HOST_DEVICE(Index i) {
+  on.only_if(outer);
+}
+
+/// Replaces the velocities by the solution, or takes the guess back where there is none; then, and where the iteration
+/// needs longer, no particle moves.
+template <class Device>
+void end_viscous_solve(Device& on, Particles<Device>& p, ViscousSystem<Device>& system, StepState* state) {
+  const ClusterRange range = p.near_sediment();
+  if (range.count == 0) return;
+  const auto* rows = system.row.data();
+  Record* records = p.record.data();
+  Sediment* sediment = p.sediment.data();
+  for_each_member(on, p.list(), range, [=] HOST_DEVICE(Index i) {
+    const ViscousState& v = state->viscous;
+    if (state->go == 0 || v.running != 0) return;
+    const auto dt = static_cast<float>(state->step.dt);
     for (int c = 0; c < 3; ++c) {
-      if (converged) {
+      if (v.converged != 0) {
         records[i].velocity[c] += rows[i].increment[c];
         sediment[i].viscous_acceleration[c] += rows[i].increment[c] / dt;
       } else {
@@ -274,13 +309,9 @@ ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
       }
     }
   });
-  return result;
-}
-
-template <int Dim, class Device>
-ViscousResult solve_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
-                              float dt) {
-  return solve_viscosity(on, p, scene, system, dt, ViscousCoupling<Dim>{scene});
+  on.for_each(1, [=] HOST_DEVICE(Index) {
+    state->moves = state->go != 0 && state->viscous.running == 0 && state->viscous.converged != 0 ? 1 : 0;
+  });
 }
 
 }  // namespace thalweg

@@ -35,6 +35,11 @@ test::Loaded<2> load_bed(const Scene<2>& scene, float water_speed) {
   return l;
 }
 
+void update_states(test::Loaded<2>& l, const Scene<2>& scene, double dt) {
+  StepState state = test::step_of(dt);
+  update_bed_states(l.on, l.p, scene, &state);
+}
+
 bool in_the_middle(const test::Loaded<2>& l, Index i) {
   return l.p.position[i].x[0] > 0.05 && l.p.position[i].x[0] < 0.15;
 }
@@ -46,7 +51,7 @@ int layer_of(const test::Loaded<2>& l, Index i) {
 
 TEST(BedStates, SeeTheTopLayerAsSurfaceAndTheWaterOverIt) {
   auto l = load_bed(eroding_scene(), 0.6F);
-  update_bed_states(l.on, l.p, l.scene, 1e-4);
+  update_states(l, l.scene, 1e-4);
   int tops = 0;
   for (Index i = 0; i < l.p.count; ++i) {
     if (!in_the_middle(l, i) || layer_of(l, i) < 0) continue;
@@ -79,7 +84,7 @@ TEST(BedStates, SeeNoSurfaceTowardsAWall) {
   auto l = test::load(scene, p);
   apply_equation_of_state(l.on, l.p, scene);
   extrapolate_to_walls(l.on, l.p, scene);
-  update_bed_states(l.on, l.p, scene, 1e-4);
+  update_states(l, scene, 1e-4);
   int seen = 0;
   for (Index i = 0; i < l.p.count; ++i) {
     if (l.p.position[i].x[0] > wall + scene.spacing || layer_of(l, i) < 0 || layer_of(l, i) > 2) continue;
@@ -99,7 +104,7 @@ TEST(BedStates, StartToMoveAtTheCriticalStress) {
   const Scene<2> scene = eroding_scene();
   const auto moved = [&](float speed) {
     auto l = load_bed(scene, speed);
-    update_bed_states(l.on, l.p, l.scene, 1e-4);
+    update_states(l, l.scene, 1e-4);
     Index top = 0;
     while (!in_the_middle(l, top) || layer_of(l, top) != 0) ++top;
     const BedSurface& s = l.p.bed[top];
@@ -119,7 +124,7 @@ TEST(BedStates, BecomeDepositAgainAfterTheReturnTime) {
   const double dt = 1e-3;
   int steps = 0;
   while (l.p.record[top].state == state_bed_load && steps < 100) {
-    update_bed_states(l.on, l.p, l.scene, dt);
+    update_states(l, l.scene, dt);
     ++steps;
   }
   EXPECT_EQ(l.p.record[top].state, state_deposit);
@@ -129,7 +134,7 @@ TEST(BedStates, BecomeDepositAgainAfterTheReturnTime) {
   auto printed = load_bed(eroding_scene(), 0);
   printed.scene.erosion.as_printed = true;
   printed.p.record[top].state = state_bed_load;
-  for (int k = 0; k < 100; ++k) update_bed_states(printed.on, printed.p, printed.scene, dt);
+  for (int k = 0; k < 100; ++k) update_states(printed, printed.scene, dt);
   EXPECT_EQ(printed.p.record[top].state, state_bed_load);
 }
 
@@ -152,29 +157,29 @@ TEST(BedStates, LiftADiluteGrainAndLetItSettle) {
 
   r.state = state_bed_load;
   r.velocity[0] = 0.9F;
-  update_bed_states(l.on, l.p, scene, 1e-4);
+  update_states(l, scene, 1e-4);
   ASSERT_LE(l.p.bed[i].concentration, 0.312);
   EXPECT_EQ(r.state, state_bed_load) << "it moves along the bed, not away from it";
   r.velocity[2] = 0.2F;
-  update_bed_states(l.on, l.p, scene, 1e-4);
+  update_states(l, scene, 1e-4);
   EXPECT_EQ(r.state, state_suspended);
-  update_bed_states(l.on, l.p, scene, 1e-4);
+  update_states(l, scene, 1e-4);
   EXPECT_EQ(r.state, state_suspended) << "nothing has changed";
   r.velocity[0] = 0.05F;
   r.velocity[2] = 0.05F;
-  update_bed_states(l.on, l.p, scene, 1e-4);
+  update_states(l, scene, 1e-4);
   EXPECT_EQ(r.state, state_suspended) << "slow, but rising";
   r.velocity[2] = -0.05F;
-  update_bed_states(l.on, l.p, scene, 1e-4);
+  update_states(l, scene, 1e-4);
   EXPECT_EQ(r.state, state_bed_load);
 
   // As printed, rising slowly is settling: one state in this step, another in the next.
   Scene<2> printed = scene;
   printed.erosion.as_printed = true;
   r.velocity[2] = 0.05F;
-  update_bed_states(l.on, l.p, printed, 1e-4);
+  update_states(l, printed, 1e-4);
   EXPECT_EQ(r.state, state_suspended);
-  update_bed_states(l.on, l.p, printed, 1e-4);
+  update_states(l, printed, 1e-4);
   EXPECT_EQ(r.state, state_bed_load);
 }
 
@@ -187,7 +192,7 @@ TEST(BedStates, TakeTheNearestWaterWhenAskedTo) {
   }
   auto l = test::load(scene, p);
   apply_equation_of_state(l.on, l.p, scene);
-  update_bed_states(l.on, l.p, scene, 1e-4);
+  update_states(l, scene, 1e-4);
   for (Index i = 0; i < l.p.count; ++i) {
     if (!in_the_middle(l, i) || layer_of(l, i) != 0) continue;
     EXPECT_EQ(l.p.bed[i].water_velocity[0], 0.3F);

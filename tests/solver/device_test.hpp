@@ -37,6 +37,19 @@ struct Entry {
 struct Plus {
   HOST_DEVICE std::int64_t operator()(std::int64_t a, std::int64_t b) const { return a + b; }
 };
+struct Store {
+  std::int64_t* to;
+  HOST_DEVICE void operator()(std::int64_t result) const { *to = result; }
+};
+struct AddTo {
+  std::int64_t* to;
+  std::int64_t amount;
+  HOST_DEVICE void operator()(Index) const { *to += amount; }
+};
+struct TwiceMore {
+  Index than;
+  HOST_DEVICE Index operator()(Index i) const { return than + 2 * i; }
+};
 struct Multiple {
   Index of;
   HOST_DEVICE bool operator()(Index i) const { return i % of == 0; }
@@ -86,11 +99,64 @@ TYPED_TEST_P(OnDevice, ScansAndSelects) {
   EXPECT_EQ(total, expected.back());
   EXPECT_EQ(numbers_in<Index>(on, offsets), expected);
 
-  typename TypeParam::template Buffer<Index> kept;
-  on.select(20, Multiple{7}, kept);
-  EXPECT_EQ(numbers_in<Index>(on, kept), (std::vector<Index>{0, 7, 14}));
-  on.select(0, Multiple{7}, kept);
-  EXPECT_TRUE(kept.empty());
+  typename TypeParam::template Buffer<Index> sevens;
+  typename TypeParam::template Buffer<Index> none;
+  typename TypeParam::template Buffer<Index> many;
+  Selection<TypeParam> selection(on);
+  selection.choose({nullptr, 20}, Multiple{7}, sevens);
+  selection.choose({nullptr, 0}, Multiple{7}, none);
+  selection.choose(50000, TwiceMore{10}, Multiple{3}, many);
+  selection.finish();
+  EXPECT_EQ(numbers_in<Index>(on, sevens), (std::vector<Index>{0, 7, 14}));
+  EXPECT_TRUE(none.empty());
+  std::vector<Index> all;
+  for (Index i = 0; i < 50000; ++i) {
+    if ((10 + 2 * i) % 3 == 0) all.push_back(10 + 2 * i);
+  }
+  EXPECT_EQ(numbers_in<Index>(on, many), all);
+}
+
+TYPED_TEST_P(OnDevice, AddsUpAndGoesOnWithoutTheHost) {
+  TypeParam on;
+  typename TypeParam::template Buffer<std::int64_t> numbers;
+  typename TypeParam::template Buffer<std::int64_t> sum;
+  numbers.resize(100000);
+  sum.resize(1);
+  on.for_each(100000, Square{numbers.data()});
+  on.reduce_then(100000, std::int64_t{0}, Entry{numbers.data()}, Plus{}, Store{sum.data()});
+  EXPECT_EQ(on.look(sum.data()), std::int64_t{333328333350000});
+  on.reduce_then(0, std::int64_t{7}, Entry{numbers.data()}, Plus{}, Store{sum.data()});
+  EXPECT_EQ(on.look(sum.data()), 7);
+}
+
+TYPED_TEST_P(OnDevice, DoesNothingWhileAFlagIsDown) {
+  TypeParam on;
+  auto flag = buffer_of<int>(on, {0});
+  auto numbers = buffer_of<std::int64_t>(on, {1, 1, 1});
+  on.only_if(flag.data());
+  on.for_each(3, Square{numbers.data()});
+  on.reduce_then(3, std::int64_t{0}, Entry{numbers.data()}, Plus{}, Store{numbers.data()});
+  EXPECT_EQ(numbers_in<std::int64_t>(on, numbers), (std::vector<std::int64_t>{1, 1, 1}));
+  on.send(1, flag.data());
+  on.for_each(3, Square{numbers.data()});
+  EXPECT_EQ(on.only_if(nullptr), flag.data());
+  EXPECT_EQ(numbers_in<std::int64_t>(on, numbers), (std::vector<std::int64_t>{0, 1, 4}));
+}
+
+TYPED_TEST_P(OnDevice, RepeatsWhatItWasAskedForBefore) {
+  TypeParam on;
+  auto numbers = buffer_of<std::int64_t>(on, {0});
+  auto flag = buffer_of<int>(on, {1});
+  const auto add = [&] {
+    on.only_if(flag.data());
+    on.for_each(1, AddTo{numbers.data(), 3});
+    on.only_if(nullptr);
+  };
+  for (const std::uint64_t key : {0, 1, 1, 1, 2, 2, 0, 1}) on.repeat(key, add);
+  EXPECT_EQ(on.look(numbers.data()), 24);
+  on.send(0, flag.data());  // what the launches read is read when they are made
+  on.repeat(1, add);
+  EXPECT_EQ(on.look(numbers.data()), 24);
 }
 
 TYPED_TEST_P(OnDevice, SortsStablyAndReorders) {
@@ -127,8 +193,8 @@ template <class Device>
 struct Maker {
   template <int Dim>
   static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from,
-                                          const std::vector<WallMotion>& motions) {
-    return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from, false, motions);
+                                          const std::vector<WallMotion>& motions, bool profile = false) {
+    return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from, profile, motions);
   }
 };
 
@@ -228,6 +294,7 @@ TYPED_TEST_P(OnDevice, LetsABedCreepAtAMicrometreASecond) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(OnDevice, RunsABodyForEveryIndex, KeepsWhatABufferHoldsWhenItGrows, ScansAndSelects,
+                            AddsUpAndGoesOnWithoutTheHost, DoesNothingWhileAFlagIsDown, RepeatsWhatItWasAskedForBefore,
                             SortsStablyAndReorders, AddsWithoutLosingAny, StepsAsTheOpenMpBackendDoes,
                             ContinuesFromACheckpointBitForBit, TakesOutWhatLeavesTheDomain,
                             LetsABedCreepAtAMicrometreASecond);

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <map>
+#include <mutex>
 #include <new>
+#include <stdexcept>
 #include <vector>
 
 #include "solver/backend/gpu.hpp"
@@ -18,56 +21,107 @@ namespace thalweg::test {
 /// reads device memory, and a thread that writes past an array's end, crash at once.
 struct GuardedRuntime {
   static void* allocate(std::size_t bytes) {
+    if (recorder() != nullptr) throw std::logic_error("memory allocated while launches are recorded");
     const std::size_t page = page_size();
     const std::size_t used = (bytes + 15) / 16 * 16;
     const std::size_t whole = (used + page - 1) / page * page;
     void* block = mmap(nullptr, whole + page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (block == MAP_FAILED) throw std::bad_alloc();
     char* memory = static_cast<char*>(block) + whole - used;
+    const std::lock_guard alone(mutex());
     blocks()[memory] = {block, whole};
     return memory;
   }
   static void release(void* p) noexcept {
     if (p == nullptr) return;
+    const std::lock_guard alone(mutex());
     const auto found = blocks().find(p);
     munmap(found->second.begin, found->second.bytes + page_size());
     blocks().erase(found);
   }
-  static void copy_to_device(void* to, const void* from, std::size_t bytes) {
-    const AtWork at_work;
-    memcpy(to, from, bytes);
+  static void copy_to_device(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
+  static void send(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
+  /// The host waits for the device here.
+  static void copy_to_host(void* to, const void* from, std::size_t bytes) {
+    ++waits();
+    copy(to, from, bytes);
   }
-  static void copy_to_host(void* to, const void* from, std::size_t bytes) { copy_to_device(to, from, bytes); }
-  static void copy_on_device(void* to, const void* from, std::size_t bytes) { copy_to_device(to, from, bytes); }
+  struct Mark {};
+  /// Not waited for by the thread that launches.
+  static void copy_to_host_after(const Mark&, void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
+  static void copy_on_device(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
 
+  /// How often the host has waited for the device so far.
+  static int& waits() {
+    static int n = 0;
+    return n;
+  }
   static void wait() {}
   static void atomic_add(std::int64_t* counter, std::int64_t amount) { *counter += amount; }
 
   template <class Body>
-  static void launch(Index n, const Body& body) {
-    const AtWork at_work;
-    for (Index i = 0; i < n; ++i) body(i);
+  static void launch(Index n, const Body& body, const int* flag) {
+    submit([=] {
+      for (Index i = 0; is_on(flag) && i < n; ++i) body(i);
+    });
   }
-  template <class T, class Of, class Combine>
-  static T reduce(Index n, const T& start, const Of& of, const Combine& combine) {
-    const AtWork at_work;
-    T sum = start;
-    for (Index i = 0; i < n; ++i) sum = combine(sum, of(i));
-    return sum;
+  template <class T, class Of, class Combine, class Then>
+  static void reduce(Index n, const T& start, const Of& of, const Combine& combine, const Then& then, const int* flag) {
+    submit([=] {
+      if (!is_on(flag)) return;
+      T sum = start;
+      for (Index i = 0; i < n; ++i) sum = combine(sum, of(i));
+      then(sum);
+    });
   }
+  template <class T, class Work>
+  static T with_result(const Work& work) {
+    T* on_device = static_cast<T*>(allocate(sizeof(T)));
+    work(on_device);
+    T result;
+    copy_to_host(&result, on_device, sizeof(T));
+    release(on_device);
+    return result;
+  }
+
+  /// Launches made while it records are kept instead, and all made again by every replay.
+  class Recording {
+   public:
+    template <class What>
+    void record(const What& what) {
+      launches_.clear();
+      recorder() = this;
+      what();
+      recorder() = nullptr;
+    }
+    void replay() {
+      ++replays();
+      for (const auto& launch : launches_) submit(launch);
+    }
+    static int& replays() {
+      static int n = 0;
+      return n;
+    }
+
+   private:
+    friend GuardedRuntime;
+    std::vector<std::function<void()>> launches_;
+  };
+
   static void scan(const Index* counts, Index n, Index* offsets) {
     const AtWork at_work;
     offsets[0] = 0;
     for (Index i = 0; i < n; ++i) offsets[i + 1] = offsets[i] + counts[i];
   }
-  template <class Keep>
-  static Index select(Index n, const Keep& keep, Index* kept) {
+  template <class Candidate, class Keep>
+  static void select(Index n, const Candidate& candidate, const Keep& keep, Index* kept, Index* count) {
     const AtWork at_work;
     Index found = 0;
     for (Index i = 0; i < n; ++i) {
-      if (keep(i)) kept[found++] = i;
+      const Index c = candidate(i);
+      if (keep(c)) kept[found++] = c;
     }
-    return found;
+    *count = found;
   }
   static void sort(std::uint64_t* key, Index* order, Index n) {
     const AtWork at_work;
@@ -78,6 +132,31 @@ struct GuardedRuntime {
   }
 
  private:
+  static std::recursive_mutex& mutex() {
+    static std::recursive_mutex one;
+    return one;
+  }
+  static bool is_on(const int* flag) { return flag == nullptr || *flag != 0; }
+  /// A recording holds launches and nothing else.
+  static void copy(void* to, const void* from, std::size_t bytes) {
+    if (recorder() != nullptr) throw std::logic_error("memory copied while launches are recorded");
+    const AtWork at_work;
+    memcpy(to, from, bytes);
+  }
+  static Recording*& recorder() {
+    static Recording* now = nullptr;
+    return now;
+  }
+  template <class Launch>
+  static void submit(const Launch& launch) {
+    if (recorder() != nullptr) {
+      recorder()->launches_.emplace_back(launch);
+      return;
+    }
+    const AtWork at_work;
+    launch();
+  }
+
   struct Block {
     void* begin;
     std::size_t bytes;
@@ -92,6 +171,7 @@ struct GuardedRuntime {
   }
   /// Opens the device's memory while it lives.
   struct AtWork {
+    const std::lock_guard<std::recursive_mutex> alone{mutex()};  // another thread may copy a snapshot meanwhile
     AtWork() { protect(PROT_READ | PROT_WRITE); }
     ~AtWork() { protect(PROT_NONE); }
     AtWork(const AtWork&) = delete;

@@ -217,8 +217,7 @@ TEST(MovingWalls, ContinueThePressureOfAFluidThatGoesWithThem) {
   const double norm = std::hypot(a[0], a[1]);
   const WallMotion motion{{{a[0] / norm, 0, a[1] / norm}, {0, 0, 0}, false}, {{0, 0, 0, norm}}};
   load_motions(on, p, {motion}, start.particles);
-  std::int64_t rebuilt = 0;
-  refresh_neighbours(on, p, start.scene, rebuilt);
+  rebuild_lists(on, p, start.scene);
   hold_walls(on, p, start.scene, {motion}, 0);
   const auto at = [&](Index i) { return Vec3(p.position[i].x[0], 0, p.position[i].x[2]); };
   for (Index i = 0; i < p.fluid_count; ++i) p.record[i].pressure = static_cast<float>(pressure(at(i)));
@@ -251,23 +250,25 @@ TEST(MovingWalls, WakeTheSedimentInTheirReachAndNoOther) {
   load_particles(on, p, scene, set);
   const WallMotion motion{{{0, 0, 1}, {0, 0, 0}, false}, {{1, 0, 1e-3}}};
   load_motions(on, p, {motion}, set);
-  std::int64_t rebuilt = 0;
-  refresh_neighbours(on, p, scene, rebuilt);
+  rebuild_lists(on, p, scene);
   for (Index i = 0; i < p.fluid_count; ++i) p.record[i].state = state_resting;
 
   hold_walls(on, p, scene, {motion}, 0.5);
   list_active_clusters(on, p);
-  EXPECT_FALSE(wake_beside_moving_walls(on, p, scene)) << "it does not move yet";
+  StepState state = test::step_of(1e-4);
+  wake_beside_moving_walls(on, p, scene, &state);
+  EXPECT_EQ(state.woken, 0U) << "it does not move yet";
   EXPECT_TRUE(hold_walls(on, p, scene, {motion}, 1));
   list_active_clusters(on, p);
-  EXPECT_TRUE(wake_beside_moving_walls(on, p, scene));
+  wake_beside_moving_walls(on, p, scene, &state);
+  EXPECT_GT(state.woken, 0U);
   const double support = double(scene.support());
   for (Index i = 0; i < p.fluid_count; ++i) {
     const double to_wall = p.position[i].x[0] - 0.035;  // nearest column of wall particles
     EXPECT_EQ(is_resting(p.record[i]), to_wall >= support) << to_wall;
     p.sediment[i].calm = 1;
   }
-  update_rest(on, p, scene, 1e-4);
+  update_rest(on, p, scene, &state);
   for (Index i = 0; i < p.fluid_count; ++i) {
     const double to_wall = p.position[i].x[0] - 0.035;
     if (to_wall >= support) continue;

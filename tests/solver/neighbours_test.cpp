@@ -127,20 +127,24 @@ TEST(Neighbours, OneParticleHasItselfAlone) {
   EXPECT_EQ(l.p.list_entries[1], 1U);  // padding
 }
 
+/// How often lists are made anew at the start of a step: never or once.
+std::int64_t rebuilt_lists(test::Loaded<2>& l) {
+  Workspace<test::Device> work;
+  refresh_neighbours(l.on, l.p, l.scene, work);
+  return work.list_rebuilds;
+}
+
 TEST(Neighbours, ServeUntilTheSkinIsUsedUp) {
   LatticeSetup<2> setup;
   const auto scene = test::make_scene_of(setup);
   auto l = test::load(scene, test::fill_lattice(scene, test::all_water, 0.2));
   const double slack = (scene.list_reach - 2 * scene.smoothing_length) / 2;
-  std::int64_t rebuilt = 0;
   l.p.position[5].x[0] += 0.9 * slack;
   l.p.record[5].place[0] = scene.lattice.place(0, l.p.position[5].x[0]);
-  refresh_neighbours(l.on, l.p, scene, rebuilt);
-  EXPECT_EQ(rebuilt, 0);
+  EXPECT_EQ(rebuilt_lists(l), 0);
   l.p.position[5].x[0] += 0.2 * slack;
   l.p.record[5].place[0] = scene.lattice.place(0, l.p.position[5].x[0]);
-  refresh_neighbours(l.on, l.p, scene, rebuilt);
-  EXPECT_EQ(rebuilt, 1);
+  EXPECT_EQ(rebuilt_lists(l), 1);
   expect_complete(l);
 }
 
@@ -151,9 +155,10 @@ TEST(Neighbours, DropExcludedParticlesAndReportThem) {
   const Index before = l.p.count;
   const std::int64_t lost = l.p.id[3];
   l.p.position[3].x[0] = -0.001;
-  drift(l.on, l.p, scene, 0.0);
-  std::int64_t rebuilt = 0;
-  const auto excluded = refresh_neighbours(l.on, l.p, scene, rebuilt);
+  const StepState standing = test::step_of(0);
+  drift(l.on, l.p, scene, &standing, 1);
+  Workspace<test::Device> work;
+  const auto excluded = refresh_neighbours(l.on, l.p, scene, work);
   ASSERT_EQ(excluded.size(), 1U);
   EXPECT_EQ(excluded[0].id, lost);
   EXPECT_EQ(l.p.count, before - 1);

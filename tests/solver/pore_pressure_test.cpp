@@ -65,12 +65,17 @@ Layer make_layer(int rows, Above above, double jitter) {
   return layer;
 }
 
+void advance_by(test::Loaded<2>& l, const Scene<2>& scene, PoreDiffusion<test::Device>& diffusion, double dt) {
+  const StepState state = test::step_of(dt);
+  advance_pore_pressure(l.on, l.p, scene, diffusion, &state, dt);
+}
+
 /// Root of the mean squared difference to the series at T = 0.2, reached in steps of `per_step` explicit limits.
 double error_of(Layer layer, double per_step) {
   test::Loaded<2>& l = layer.l;
   const double end = 0.2 * height * height / consolidation;
   const int steps = static_cast<int>(std::ceil(end / (per_step * explicit_diffusion_step(l.scene))));
-  for (int k = 0; k < steps; ++k) advance_pore_pressure(l.on, l.p, l.scene, layer.diffusion, end / steps);
+  for (int k = 0; k < steps; ++k) advance_by(l, l.scene, layer.diffusion, end / steps);
   double error2 = 0;
   int count = 0;
   for (Index i = 0; i < l.p.fluid_count; ++i) {
@@ -117,7 +122,7 @@ TEST(PorePressure, IsKeptByASealedBed) {
     before += double(l.p.excess_pore_pressure[i]);
   }
   PoreDiffusion<test::Device> diffusion;
-  for (int k = 0; k < 20; ++k) advance_pore_pressure(l.on, l.p, scene, diffusion, 0.05);
+  for (int k = 0; k < 20; ++k) advance_by(l, scene, diffusion, 0.05);
   double after = 0;
   for (Index i = 0; i < l.p.count; ++i) after += double(l.p.excess_pore_pressure[i]);
   EXPECT_NEAR(after / before, 1, 1e-5);
@@ -129,7 +134,7 @@ TEST(PorePressure, RisesUndrainedWithTheCompressionOfTheBed) {
   layer.l.scene.seepage.consolidation = 0;
   layer.l.scene.seepage.pore_stiffness = 5e5F;
   for (Index i = 0; i < layer.l.p.fluid_count; ++i) layer.l.p.rates[i].excess_rate = 0.1F;
-  advance_pore_pressure(layer.l.on, layer.l.p, layer.l.scene, layer.diffusion, 1e-3);
+  advance_by(layer.l, layer.l.scene, layer.diffusion, 1e-3);
   for (Index i = 0; i < layer.l.p.fluid_count; ++i) {
     const bool bed = layer.l.p.record[i].phase == phase_sediment;
     EXPECT_NEAR(layer.l.p.excess_pore_pressure[i], bed ? 1 + 5e5 * 0.1 * 1e-3 : 0, 1e-4);

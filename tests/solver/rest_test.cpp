@@ -45,11 +45,11 @@ TEST(Rest, GrowsFromWhatHoldsIt) {
     l.p.sediment[i].calm = 1;
     sediment += l.p.record[i].phase == phase_sediment ? 1 : 0;
   }
-  update_rest(l.on, l.p, scene, 1e-4);
+  test::update_rest_and_lists(l, scene, 1e-4);
   const Index first = resting_of(l);
   EXPECT_GT(first, 0U);
   EXPECT_LT(first, sediment) << "the top is not held by the floor itself";
-  for (int k = 0; k < 10; ++k) update_rest(l.on, l.p, scene, 1e-4);
+  for (int k = 0; k < 10; ++k) test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_EQ(resting_of(l), sediment);
   EXPECT_TRUE(l.p.any_resting);
 }
@@ -61,7 +61,7 @@ TEST(Rest, IsNotForAClumpThatHoversInWater) {
         return x.z() < floor_height ? ParticleType::wall : x.z() > 0.12 ? ParticleType::sediment : ParticleType::water;
       }));
   for (Index i = 0; i < l.p.fluid_count; ++i) l.p.sediment[i].calm = 1;
-  for (int k = 0; k < 10; ++k) update_rest(l.on, l.p, scene, 1e-4);
+  for (int k = 0; k < 10; ++k) test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_EQ(resting_of(l), 0U);
 }
 
@@ -72,7 +72,7 @@ TEST(Rest, WaitsForTheNeighboursAndEndsWhereTheyShear) {
   while (l.p.record[restless].phase != phase_sediment || l.p.position[restless].x[2] > 0.05) ++restless;
   for (Index i = 0; i < l.p.fluid_count; ++i) l.p.sediment[i].calm = 1;
   l.p.sediment[restless].strain_rate = 1;
-  for (int k = 0; k < 20; ++k) update_rest(l.on, l.p, scene, 1e-4);
+  for (int k = 0; k < 20; ++k) test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_FALSE(is_resting(l.p.record[restless]));
   const Index around = resting_of(l);
   for (Index i = 0; i < l.p.fluid_count; ++i) {
@@ -88,13 +88,13 @@ TEST(Rest, WaitsForTheNeighboursAndEndsWhereTheyShear) {
   Index woken = 0;
   while (!is_resting(l.p.record[woken])) ++woken;
   l.p.sediment[woken].strain_rate = 0.07F;
-  update_rest(l.on, l.p, scene, 1e-4);
+  test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_FALSE(is_resting(l.p.record[woken]));
   EXPECT_EQ(l.p.sediment[woken].calm, 0);
   // ... or its bed has become too steep.
   while (!is_resting(l.p.record[woken])) ++woken;
   l.p.sediment[woken].bed_slope = 0.61F;
-  update_rest(l.on, l.p, scene, 1e-4);
+  test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_FALSE(is_resting(l.p.record[woken]));
 }
 

@@ -23,9 +23,22 @@ template <int Dim>
 Loaded<Dim> load(const Scene<Dim>& scene, const ParticleSet& from) {
   Loaded<Dim> l{Device{}, {}, scene};
   load_particles(l.on, l.p, scene, from);
-  std::int64_t rebuilt = 0;
-  refresh_neighbours(l.on, l.p, scene, rebuilt);
+  rebuild_lists(l.on, l.p, scene);
   return l;
+}
+
+/// A step of dt seconds, for passes called by themselves.
+inline StepState step_of(double dt) {
+  StepState state;
+  state.step.dt = dt;
+  return state;
+}
+
+/// update_rest, and the lists after it if they change, as the step does.
+inline void update_rest_and_lists(Loaded<2>& l, const Scene<2>& scene, double dt) {
+  StepState state = step_of(dt);
+  update_rest(l.on, l.p, scene, &state);
+  if (state.woken + state.stopped > 0) list_active_clusters(l.on, l.p);
 }
 
 }  // namespace thalweg::test

@@ -70,13 +70,38 @@ Eigen::VectorXd direct_solution(const test::Loaded<2>& l, double dt, int compone
   return A.ldlt().solve(b);
 }
 
+/// The viscous part of a step of state.step.dt by itself, with all it tries.
+ViscousResult apply_viscosity(test::Loaded<2>& l, ViscousSystem<test::Device>& system, StepState& state) {
+  const Mixture<test::Device> none;
+  ViscousResult result;
+  begin_viscosity(l.on, l.p, l.scene, none, system, &state);
+  while (true) {
+    iterate_viscosity(l.on, l.p, l.scene, system, &state, l.scene.viscous_iterations);
+    end_viscosity(l.on, l.p, l.scene, system, &state);
+    result.iterations += state.viscous.iterations;
+    if (!viscosity::may_retry(state.viscous, result.retries)) break;
+    viscosity::prepare_retry(l.on, l.p, &state, result.retries > 0);
+    begin_viscosity(l.on, l.p, l.scene, none, system, &state);
+    ++result.retries;
+  }
+  result.residual = state.viscous.residual;
+  result.converged = state.viscous.converged != 0;
+  result.capped = state.capped;
+  EXPECT_EQ(state.moves, state.viscous.converged);
+  return result;
+}
+ViscousResult apply_viscosity(test::Loaded<2>& l, ViscousSystem<test::Device>& system, double dt) {
+  StepState state = test::step_of(dt);
+  return apply_viscosity(l, system, state);
+}
+
 TEST(ImplicitViscosity, SolvesTheSystemItStates) {
   auto l = stirred_block();
   const double dt = 1e-4;
   const Eigen::VectorXd x = direct_solution(l, dt, 0);
   const Eigen::VectorXd z = direct_solution(l, dt, 2);
   ViscousSystem<test::Device> system;
-  const ViscousResult result = solve_viscosity(l.on, l.p, l.scene, system, static_cast<float>(dt));
+  const ViscousResult result = apply_viscosity(l, system, dt);
   EXPECT_TRUE(result.converged);
   EXPECT_GT(result.iterations, 3);
   double error2 = 0;
@@ -94,7 +119,7 @@ TEST(ImplicitViscosity, GivesTheWallsAllTheMomentumItTakes) {
   for (Index i = l.p.fluid_count; i < l.p.count; ++i) l.p.record[i].volume = 0;
   const Totals before = sum_totals(l.on, l.p, l.scene);
   ViscousSystem<test::Device> system;
-  solve_viscosity(l.on, l.p, l.scene, system, 1e-4F);
+  apply_viscosity(l, system, 1e-4);
   const Totals after = sum_totals(l.on, l.p, l.scene);
   const double scale = std::sqrt(2 * before.kinetic_energy * (before.water_mass + before.sediment_mass));
   EXPECT_LT(std::abs(after.momentum[0] - before.momentum[0]), 1e-6 * scale);
@@ -107,7 +132,7 @@ TEST(ImplicitViscosity, LeavesPureWaterAlone) {
   const Scene<2> scene = test::make_scene_of(setup);
   auto l = test::load(scene, test::fill_lattice(scene, test::all_water));
   ViscousSystem<test::Device> system;
-  const ViscousResult result = solve_viscosity(l.on, l.p, scene, system, 1e-4F);
+  const ViscousResult result = apply_viscosity(l, system, 1e-4);
   EXPECT_EQ(result.iterations, 0);
   EXPECT_TRUE(system.row.empty());  // nothing was even allocated
 }
@@ -116,9 +141,7 @@ TEST(ImplicitViscosity, LeavesPureWaterAlone) {
 std::vector<float> velocities_after(test::Loaded<2>& l, double dt, int steps) {
   ViscousSystem<test::Device> system;
   for (int n = 0; n < steps; ++n) {
-    TimeStep step;
-    step.dt = dt;
-    EXPECT_TRUE(apply_viscosity(l.on, l.p, l.scene, system, step).converged);
+    EXPECT_TRUE(apply_viscosity(l, system, dt).converged);
   }
   std::vector<float> u;
   for (Index i = 0; i < l.p.fluid_count; ++i) {
@@ -169,11 +192,13 @@ TEST(ExplicitViscosity, ShortensTheStep) {
   auto l = stirred_block();
   for (Index i = 0; i < l.p.fluid_count; ++i) l.p.record[i].viscosity = 1300;
   l.scene.viscosity = ViscosityTreatment::explicit_steps;
-  const TimeStep step = stable_time_step(l.on, l.p, l.scene);
-  EXPECT_EQ(step.limiter, Limiter::viscosity);
-  EXPECT_NEAR(step.dt, 0.125 * 0.015 * 0.015 / 1, 1e-10);  // nu = 1 m^2/s
+  StepState state;
+  stable_time_step(l.on, l.p, l.scene, &state);
+  EXPECT_EQ(state.step.limiter, Limiter::viscosity);
+  EXPECT_NEAR(state.step.dt, 0.125 * 0.015 * 0.015 / 1, 1e-10);  // nu = 1 m^2/s
   l.scene.viscosity = ViscosityTreatment::capped;
-  EXPECT_EQ(stable_time_step(l.on, l.p, l.scene).limiter, Limiter::sound);
+  stable_time_step(l.on, l.p, l.scene, &state);
+  EXPECT_EQ(state.step.limiter, Limiter::sound);
 }
 
 TEST(CappedViscosity, IsWhatTheStepCanTakeAndIsCounted) {
@@ -186,9 +211,7 @@ TEST(CappedViscosity, IsWhatTheStepCanTakeAndIsCounted) {
     ++sediment;
   }
   ViscousSystem<test::Device> system;
-  TimeStep step;
-  step.dt = 1e-4;
-  const ViscousResult result = apply_viscosity(l.on, l.p, l.scene, system, step);
+  const ViscousResult result = apply_viscosity(l, system, 1e-4);
   EXPECT_EQ(result.capped, (sediment + 2) / 3);
   for (Index i = 0; i < l.p.fluid_count; ++i) {
     if (l.p.record[i].phase == phase_sediment) {
@@ -201,34 +224,35 @@ TEST(CappedViscosity, IsWhatTheStepCanTakeAndIsCounted) {
 
 TEST(ImplicitViscosity, TriesAgainWithLessBeforeItGivesUp) {
   const double dt = 1e-3;
-  const auto solve = [&](int iterations, TimeStep& step) {
+  StepState state;
+  TimeStep& step = state.step;
+  const auto solve = [&](int iterations) {
     auto l = stirred_block();
     l.scene.viscous_iterations = iterations;
     l.scene.viscous_tolerance = 1e-3;
-    step.dt = dt;
+    state = test::step_of(dt);
     ViscousSystem<test::Device> system;
     const std::vector<Record> before(l.p.record.begin(), l.p.record.end());
-    const ViscousResult result = apply_viscosity(l.on, l.p, l.scene, system, step);
+    const ViscousResult result = apply_viscosity(l, system, state);
     for (Index i = 0; i < l.p.fluid_count && !result.converged; ++i) {
       EXPECT_NEAR(l.p.record[i].velocity[0], before[i].velocity[0], 1e-6);  // nothing was left half done
     }
     return result;
   };
-  TimeStep step;
-  const ViscousResult usual = solve(1000, step);
+  const ViscousResult usual = solve(1000);
   ASSERT_TRUE(usual.converged);
   EXPECT_EQ(usual.retries, 0);
   EXPECT_EQ(step.dt, dt);
 
   // Too few iterations for the step, enough for a shorter one.
-  const ViscousResult shorter = solve(usual.iterations * 3 / 4, step);
+  const ViscousResult shorter = solve(usual.iterations * 3 / 4);
   EXPECT_TRUE(shorter.converged);
   EXPECT_GT(shorter.retries, 1);
   EXPECT_LT(step.dt, dt);
   EXPECT_EQ(step.limiter, Limiter::viscosity);
 
   // Far too few: says so.
-  const ViscousResult hopeless = solve(1, step);
+  const ViscousResult hopeless = solve(1);
   EXPECT_FALSE(hopeless.converged);
   EXPECT_EQ(hopeless.retries, 1 + viscosity::most_halvings);
   EXPECT_EQ(step.dt, dt / 16);
@@ -243,12 +267,11 @@ TEST(ImplicitViscosity, ForgetsAGuessThatLeadsAstray) {
     l.p.sediment[i].viscous_acceleration[0] = i % 2 == 0 ? 5.0F : -5.0F;
   }
   ViscousSystem<test::Device> system;
-  TimeStep step;
-  step.dt = 1e-3;
-  const ViscousResult result = apply_viscosity(l.on, l.p, l.scene, system, step);
+  StepState state = test::step_of(1e-3);
+  const ViscousResult result = apply_viscosity(l, system, state);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.retries, 1);
-  EXPECT_EQ(step.dt, 1e-3);
+  EXPECT_EQ(state.step.dt, 1e-3);
   for (Index i = 0; i < l.p.fluid_count; ++i) EXPECT_NEAR(l.p.record[i].velocity[0], 0, 1e-6);
 }
 

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""What each feature costs where it is used, and that it costs nothing where it is not: feature_costs.py THALWEG
+
+Every row is two runs in turn from the same particles, or from scenes of equally many: one without the feature, one with
+it. What a step without it does not even call stands in the last column.
+"""
+
+import argparse
+import pathlib
+import sys
+from dataclasses import dataclass, field
+
+BENCH = pathlib.Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(BENCH), str(BENCH / "scaling")]
+
+import measure  # noqa: E402
+import scaling  # noqa: E402
+
+GAUGES = "".join(f"""
+[[gauge]]
+name = "gauge-{n}"
+kind = "{kind}"
+at = ["{x} m", "0.08 m"]
+""" for n, (kind, x) in enumerate([("water level", -0.4), ("water level", 0.2), ("pressure", -0.8), ("velocity", -0.2)]))
+
+
+@dataclass
+class Start:
+    """From what, and how, the solver takes its steps."""
+    run: pathlib.Path
+    state: pathlib.Path = None  # a checkpoint; without: the filled scene
+    changes: list = field(default_factory=list)
+    flags: list = field(default_factory=list)
+
+    def cost(self, given, length):
+        state = ["--restart", self.state] if self.state else []
+        return measure.solve(given.thalweg, self.run, *state, *measure.settings(self.changes), *self.flags, *length)
+
+    def but(self, *changes, flags=()):
+        return Start(self.run, self.state, [*self.changes, *changes], [*self.flags, *flags])
+
+
+class Scenes:
+    """Scenes that rows share, filled and run up to where they start when first asked for."""
+
+    def __init__(self, given):
+        self.given, self.known = given, {}
+
+    def filled(self, name, case, *changes):
+        return Start(measure.fill(self.given.thalweg, case, self.given.out / name, changes))
+
+    def written(self, name, text):
+        folder = measure.write_case(text, self.given.out / name)
+        return Start(measure.fill(self.given.thalweg, folder, folder / "run"))
+
+    def after(self, seconds, start):
+        """The same scene after `seconds`."""
+        state = start.run / f"after-{seconds:g}s.vtp"
+        if not state.exists():
+            measure.solve(self.given.thalweg, start.run, "--until", f"{seconds} s", *measure.settings(start.changes))
+            (start.run / "checkpoint.vtp").rename(state)
+        return Start(start.run, state, start.changes)
+
+    def layers(self, dimension, with_bed):
+        number = self.given.particles
+        return self.written(f"layers-{dimension}d-{with_bed:d}", scaling.scene(dimension, number, with_bed))
+
+    def louvain(self, *changes, name="louvain"):
+        always = [f"numerics.spacing={self.given.spacing} mm", "model.sediment=viscoplastic",
+                  "materials.pvc.dynamic_friction_angle=50 deg"]  # read by the row that needs it only
+        return self.filled(name, measure.ROOT / "cases" / "louvain", *always, *changes)
+
+
+def narrow(width, particles):
+    """Water in space, `width` particles wide between periodic sides and as long as it has to be."""
+    length = round(particles / scaling.LAYERS[3] / width)
+    text = scaling.scene(3, scaling.LAYERS[3] * 64 * 64, False)
+    wide, d = scaling.lengths(64 * scaling.SPACING).strip('"'), scaling.SPACING
+    return text.replace(f'"{wide}", "{wide}"', f'"{length * d:.6g} m", "{width * d:.6g} m"')
+
+
+def comparisons(scenes):
+    """Name, the scene's words, without, with, and for how long."""
+    given = scenes.given
+    steps = ["--benchmark", given.steps]
+    short = ["--until", f"{given.seconds} s"]
+    collapse = scenes.after(given.start, scenes.louvain())
+    moving = collapse.but("model.rest=false")
+    rest = scenes.after(given.settle, scenes.written("still", scaling.scene(2, given.particles, True)))
+    dam = scenes.filled("dam", measure.ROOT / "cases" / "dam_break", "numerics.spacing=2 mm")
+    louvain = scenes.louvain("output.interval=0 s", name="silent")
+    gauged = scenes.written("gauged", (measure.ROOT / "cases/louvain/case.toml").read_text(encoding="utf-8")
+                            .replace('spacing = "5 mm"', f'spacing = "{given.spacing} mm"')
+                            .replace('"three-state"', '"viscoplastic"').replace('interval = "0.05 s"', "") + GAUGES)
+    gate = (measure.ROOT / "cases/gate/case.toml").read_text(encoding="utf-8").replace(
+        'spacing = "5 mm"', f'spacing = "{given.spacing} mm"')
+    still_gate = gate.replace('"moving wall"', '"wall"').replace('motion = "lift"\n', "")
+    first, last = still_gate.index("[[motion]]"), still_gate.index("[materials.water]")
+    still_gate = still_gate[:first] + still_gate[last:]
+    side = round((given.particles / scaling.LAYERS[3]) ** 0.5)
+    return [
+        ("sediment", "3-D, bed below half of the water's depth", scenes.layers(3, False), scenes.layers(3, True), steps),
+        ("sediment", "2-D, the same", scenes.layers(2, False), scenes.layers(2, True), steps),
+        ("rest", "2-D, bed at rest", rest.but("model.rest=false"), rest, steps),
+        ("rest", "Louvain, collapse", moving, collapse, steps),
+        ("three states", "Louvain, collapse", moving, moving.but("model.sediment=three-state"), steps),
+        ("pore pressure", "Louvain, collapse", moving, moving.but("model.pore_pressure=diffusion"), steps),
+        ("effective pressure by Laplace", "Louvain, collapse", moving, moving.but("model.effective_pressure=laplace"), steps),
+        ("friction by inertial number", "Louvain, collapse", moving, moving.but("model.rheology=mu-of-i"), steps),
+        ("Mohr-Coulomb", "Louvain, collapse", moving, moving.but("model.yield=mohr-coulomb"), steps),
+        ("seepage", "Louvain, start; the bed's particles twice",
+         scenes.louvain("model.rest=false", name="plain"),
+         scenes.louvain("model.rest=false", "model.seepage=mixture", name="seepage"), steps),
+        ("wall friction", "dam break, 2-D", dam.but("model.wall_friction=none"), dam, steps),
+        ("moving walls", "gate, 2-D", scenes.written("still-gate", still_gate), scenes.written("gate", gate), steps),
+        ("four gauges, 1000 readings a run", "Louvain, 2-D", louvain, gauged, short),
+        ("twenty snapshots", "Louvain, 2-D", louvain, louvain.but(f"output.interval={given.seconds / 20} s"), short),
+        ("--profile", "Louvain, collapse", collapse, collapse.but(flags=["--profile"]), steps),
+        ("narrow: 10 wide, periodic", "3-D, water, as many", scenes.written("wide", narrow(side, given.particles)),
+         scenes.written("narrow", narrow(10, given.particles)), steps),
+        ("third dimension", "water, as many", scenes.layers(2, False), scenes.layers(3, False), steps),
+    ]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    measure.common_arguments(parser, 5)
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/feature_costs"),
+                        help="where scenes go; kept for the next time (default: %(default)s)")
+    parser.add_argument("--particles", type=int, default=40000, help="of scenes that are layers (default: %(default)s)")
+    parser.add_argument("--spacing", type=float, default=4, help="[mm] of the Louvain scenes (default: %(default)s)")
+    parser.add_argument("--steps", type=int, default=100, help="of a run (default: %(default)s)")
+    parser.add_argument("--seconds", type=float, default=0.05, help="[s] of a run with gauges or snapshots")
+    parser.add_argument("--start", type=float, default=0.15, help="[s] of collapse before the rows that say so")
+    parser.add_argument("--settle", type=float, default=0.5, help="[s] in which the bed comes to rest")
+    parser.add_argument("--only", help="rows whose names hold this text")
+    given = parser.parse_args()
+
+    page = measure.Page("feature-costs", "What features cost", measure.command_line("feature_costs/feature_costs.py"))
+    rows, unused = [], []
+    for name, scene, off, on, length in comparisons(Scenes(given)):
+        if given.only and given.only not in name:
+            continue
+        runs = measure.in_turn({f"{name}, {scene}: without": lambda: off.cost(given, length),
+                                f"{name}, {scene}: with": lambda: on.cost(given, length)}, given.repeats)
+        without, used = runs.values()
+        a, b = without[0], used[0]
+        added = [h for h in b.headings if h not in a.headings]
+        rows.append([name, scene, f"{a.fluid}" if a.fluid == b.fluid else f"{a.fluid}, {b.fluid}",
+                     measure.Spread.of(c.ns for c in without).median, measure.Spread.of(c.ns for c in used).median,
+                     measure.ratios([c.cpu / c.steps for c in used], [c.cpu / c.steps for c in without]),
+                     f"{a.bytes:.0f}, {b.bytes:.0f}", f"{a.iterations:.1f}, {b.iterations:.1f}"])
+        page.figure(f"{name} ({scene}): time of a step, with over without", f"{rows[-1][5].median:.2f}")
+        unused.append([name, scene, len(a.headings), ", ".join(added) or "-"])
+    page.table(f"One thread, {given.repeats} runs each in turn, {given.steps} steps: medians; of the ratio least and largest "
+               "too", ["feature", "scene", "particles without, with", "ns a particle-step without", "ns a particle-step with",
+                       "processor time of a step, with over without", "bytes a particle", "viscous iterations a step"],
+               rows)
+    page.table("What is off is not called: lines of the step that the run without the feature went through, and those that only "
+               "the run with it did", ["feature", "scene", "lines without", "lines that the feature adds"], unused)
+    page.write(given.results)
+
+
+if __name__ == "__main__":
+    main()

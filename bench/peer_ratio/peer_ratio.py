@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""How fast one core is beside DualSPHysics 5.4 on the same 3-D dam break: peer_ratio.py THALWEG --dualsphysics FOLDER
+
+Both start from the same particles in the middle of the collapse, which ours computes first; same kernel (Wendland C2), same
+smoothing length, same speed of sound, artificial viscosity and density diffusion, one thread. Counted are evaluations of
+the forces on a fluid particle a second of processor time: a leapfrog step has one, its symplectic step two. What both need
+before their first step (reading, first lists) is left out: theirs as the cost of a run of one step, ours as it says itself.
+
+FOLDER holds the sources of DualSPHysics 5.4, which are compiled with -O3 -march=native -ffast-math; without it only the
+second table is made: ours alone on the two-phase scene of cases/louvain.
+"""
+
+import argparse
+import pathlib
+import statistics
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+import dualsphysics  # noqa: E402
+import measure  # noqa: E402
+import particle_file  # noqa: E402
+
+SCENE = {"name": "collapse", "spacing": 0.008, "smoothing_length": 0.012, "density": 1000.0, "sound_speed": 35.0,
+         "artificial_viscosity": 0.02, "density_diffusion": 0.1, "cfl": 0.2}
+TANK = (1.6, 0.672, 0.4)     # [m]
+COLUMN = (0.4, 0.672, 0.304)  # [m] 50 x 84 x 38 particles
+CASE = """
+[case]
+name = "collapse"
+dimension = 3
+[domain]
+from = ["-0.1 m", "-0.1 m", "-0.1 m"]
+to = ["1.7 m", "0.772 m", "0.8 m"]
+gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+[[shape]]
+name = "tank"
+kind = "box"
+role = "wall"
+side = "outside"
+open = ["+z"]
+from = ["0 m", "0 m", "0 m"]
+to = ["{tank[0]} m", "{tank[1]} m", "{tank[2]} m"]
+[[shape]]
+name = "column"
+kind = "box"
+role = "water"
+from = ["0 m", "0 m", "0 m"]
+to = ["{column[0]} m", "{column[1]} m", "{column[2]} m"]
+[numerics]
+spacing = "{scene[spacing]} m"
+smoothing_ratio = {ratio}
+maximum_speed = "{speed} m/s"
+artificial_viscosity = {scene[artificial_viscosity]}
+density_diffusion = {scene[density_diffusion]}
+[output]
+end = "{end} s"
+interval = "{end} s"
+"""
+
+
+def ours(given):
+    """The folder of our scene, and its state after `given.start` seconds of collapse."""
+    end = 10.0
+    case = CASE.format(tank=TANK, column=COLUMN, scene=SCENE, ratio=SCENE["smoothing_length"] / SCENE["spacing"],
+                       speed=SCENE["sound_speed"] / 10, end=end)
+    folder = measure.write_case(case, given.out / "collapse")
+    run = measure.fill(given.thalweg, folder, folder / "run", [f"numerics.spacing={given.spacing} m"])
+    state = folder / f"after-{given.start:g}s-{given.spacing}m.vtp"
+    if not state.exists():
+        measure.solve(given.thalweg, run, "--until", f"{given.start} s", threads=2)
+        (run / "checkpoint.vtp").rename(state)
+    return run, state
+
+
+def theirs(given, state):
+    """The same fluid, and of our walls the layer next to it, which is what DualSPHysics' own scenes have."""
+    found = particle_file.arrays(state, {"Points", "Velocity", "Density", "Type"})
+    scene = SCENE | {"spacing": given.spacing, "smoothing_length": given.spacing * 1.5}
+    walls, fluid, velocity, density = [], [], [], []
+    for i, kind in enumerate(found["Type"]):
+        place = found["Points"][3 * i:3 * i + 3]
+        if kind == particle_file.WATER:
+            fluid += place
+            velocity += found["Velocity"][3 * i:3 * i + 3]
+            density.append(found["Density"][i])
+        elif all(-given.spacing < x < extent + given.spacing for x, extent in zip(place, TANK)):
+            walls += place
+    return dualsphysics.write_scene(given.out / "dualsphysics", scene, walls, fluid, velocity, density), len(walls) // 3
+
+
+def compare(given, page):
+    program = dualsphysics.build(given.dualsphysics, given.out.resolve() / "build", 2)
+    run, state = ours(given)
+    case, n_walls = theirs(given, state)
+    n = measure.solve(given.thalweg, run, "--restart", state, "--benchmark", 1).fluid
+
+    def evaluations_of_ours():
+        cost = measure.solve(given.thalweg, run, "--restart", state, "--benchmark", given.steps)
+        return n * cost.steps / cost.cpu, cost
+
+    start_of_theirs = statistics.median(dualsphysics.take_steps(program, case, 1)[0] for _ in range(3))
+
+    def evaluations_of_theirs():
+        cpu, log = dualsphysics.take_steps(program, case, given.peer_steps)
+        return 2 * n * (given.peer_steps - 1) / (cpu - start_of_theirs), dualsphysics.version(log)
+
+    found = measure.in_turn({"Thalweg": evaluations_of_ours, "DualSPHysics": evaluations_of_theirs}, given.repeats)
+    ours_rates, costs = zip(*found["Thalweg"])
+    their_rates, versions = zip(*found["DualSPHysics"])
+    ratio = measure.ratios(ours_rates, their_rates)
+    cost = costs[0]
+    page.table(f"3-D dam break, {n} fluid particles, smoothing length 1.5 spacings, from {given.start} s after the "
+               f"collapse began; {given.repeats} runs each in turn: median (least to largest)",
+               ["program", "million evaluations/CPU s", "steps", "evaluations a step", "walls", "lists built"],
+               [["Thalweg, leapfrog", measure.Spread.of(r / 1e6 for r in ours_rates), cost.steps, 1,
+                 cost.particles - cost.fluid, f"{cost.rebuilds}"],
+                [f"DualSPHysics {versions[0]}, symplectic, {dualsphysics.FLAGS}",
+                 measure.Spread.of(r / 1e6 for r in their_rates), given.peer_steps, 2, n_walls, "every step"]])
+    page.note(f"**Ratio, pair by pair: {measure.shown(ratio)}.** {cost.neighbours:.0f} neighbours in the support, "
+              f"{cost.neighbours * statistics.median(ours_rates) / 1e6:.0f} million useful pairs a CPU second in ours "
+              "if a step were one sweep; it is two, one for accelerations and one for density rates, beside the walls' "
+              "and the building of lists.")
+    page.figure(f"dam break in space, {n} particles, 113 neighbours: evaluations of the forces a CPU second, one core",
+                f"{statistics.median(ours_rates) / 1e6:.2f} million; DualSPHysics {versions[0]} "
+                f"{statistics.median(their_rates) / 1e6:.2f} million; ratio {measure.shown(ratio)}")
+    total = sum(cost.headings.values())
+    page.table("Where ours spends its time", ["line of the step", "share"],
+               [[name, f"{100 * seconds / total:.1f} %"]
+                for name, seconds in sorted(cost.headings.items(), key=lambda line: -line[1]) if seconds > 0.005 * total])
+
+
+def two_phase(given, page):
+    """Ours alone on the plane two-phase scene, whole."""
+    run = measure.fill(given.thalweg, measure.ROOT / "cases" / "louvain", given.out / "louvain",
+                       ["numerics.spacing=4 mm"])
+    until = ["--until", f"{given.two_phase} s"]
+    costs = measure.in_turn({"Louvain": lambda: measure.solve(given.thalweg, run, *until)}, given.repeats)["Louvain"]
+    page.table(f"Louvain, 2-D, 4 mm, three states, {costs[0].fluid} fluid particles, {given.two_phase:g} s, one thread "
+               "(in DualSPHysics' non-Newtonian build 1 s took 642 to 798 CPU s on such a core, 0.65 million evaluations/CPU s)",
+               ["CPU s", "million evaluations/CPU s", "steps", "viscous iterations a step"],
+               [[measure.Spread.of(c.cpu for c in costs), measure.Spread.of(1e3 / c.ns for c in costs), costs[0].steps,
+                 costs[0].iterations]])
+    if given.two_phase == 1:
+        page.figure("Louvain in the plane, 4 mm, three states, 1 s, one core",
+                    f"{statistics.median(c.cpu for c in costs):.1f} CPU s, "
+                    f"{statistics.median(1e3 / c.ns for c in costs):.1f} million particle-steps a CPU second "
+                    "(DualSPHysics' non-Newtonian build: 642 to 798 CPU s)")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    measure.common_arguments(parser, 5)
+    parser.add_argument("--dualsphysics", type=pathlib.Path, help="folder of DualSPHysics 5.4 with its sources")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/peer_ratio"),
+                        help="where scenes and the build go; kept for the next time (default: %(default)s)")
+    parser.add_argument("--spacing", type=float, default=SCENE["spacing"], help="[m] (default: %(default)s)")
+    parser.add_argument("--start", type=float, default=0.2, help="[s] where both start from (default: %(default)s)")
+    parser.add_argument("--steps", type=int, default=120, help="of ours in each run (default: %(default)s)")
+    parser.add_argument("--peer-steps", type=int, default=13, help="of theirs in each run (default: %(default)s)")
+    parser.add_argument("--two-phase", type=float, default=1.0, help="[s] of the plane scene; 0: without it")
+    given = parser.parse_args()
+    page = measure.Page("peer", "Beside DualSPHysics on one core", measure.command_line("peer_ratio/peer_ratio.py"))
+    if given.dualsphysics is None:
+        page.note("DualSPHysics was not given (--dualsphysics FOLDER): no comparison.")
+    else:
+        compare(given, page)
+    if given.two_phase > 0:
+        two_phase(given, page)
+    page.write(given.results)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""How the cost of a particle-step goes with the number of particles, and what a second thread gives: scaling.py THALWEG
+
+Water over a bed, or water alone, between periodic sides: the domain widens while depth and spacing stay, so that scenes
+differ in nothing but their number of particles. The cost of a step is the difference of two runs of different length,
+so that reading, first lists and the first touch of memory drop out; building lists is measured by a skin of zero, with
+which every step builds them. `--part` makes one part of the table at a time, for machines where all take too long.
+"""
+
+import argparse
+import math
+import pathlib
+import re
+import shutil
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+import measure  # noqa: E402
+
+SPACING = 0.01  # [m]
+LAST_CACHE = 2 << 20  # [bytes] of the counted traffic: much less than the scene, as with millions of particles
+LAYERS = {2: 64, 3: 32}  # of fluid; in space the kernel reaches through a fifth of them
+CASE = """
+[case]
+name = "layers"
+dimension = {dimension}
+[domain]
+from = [{low}]
+to = [{high}]
+gravity = [{gravity}]
+periodic = [{periodic}]
+[[shape]]
+name = "floor"
+kind = "box"
+role = "wall"
+from = [{floor_low}]
+to = [{floor_high}]
+[[shape]]
+name = "water"
+kind = "box"
+role = "water"
+from = [{water_low}]
+to = [{high_fluid}]
+{bed}
+[numerics]
+spacing = "{spacing} m"
+maximum_speed = "2 m/s"
+[output]
+end = "10 s"
+"""
+BED = """
+[[shape]]
+name = "bed"
+kind = "box"
+role = "sediment"
+from = [{low}]
+to = [{high}]
+[materials.grains]
+grain_density = "2650 kg/m^3"
+porosity = 0.4
+grain_diameter = "2 mm"
+friction_angle = "30 deg"
+[model]
+sediment = "viscoplastic"
+"""
+
+
+def lengths(*values):
+    return ", ".join(f'"{value:.6g} m"' for value in values)
+
+
+def scene(dimension, particles, with_bed):
+    """The case file of so many fluid particles, nearly."""
+    depth = LAYERS[dimension] * SPACING
+    columns = max(12, round((particles / LAYERS[dimension]) ** (1 / (dimension - 1))))
+    extent = [columns * SPACING] * (dimension - 1)
+    zero = [0.0] * (dimension - 1)
+    bed = BED.format(low=lengths(*zero, 0), high=lengths(*extent, depth / 2)) if with_bed else ""
+    return CASE.format(dimension=dimension, low=lengths(*zero, -0.1), high=lengths(*extent, 1.5 * depth),
+                       gravity=", ".join(['"0 m/s^2"'] * (dimension - 1) + ['"-9.81 m/s^2"']),
+                       periodic=", ".join(f'"{axis}"' for axis in "xy"[:dimension - 1]), floor_low=lengths(*zero, -0.06),
+                       floor_high=lengths(*extent, 0), water_low=lengths(*zero, depth / 2 if with_bed else 0),
+                       high_fluid=lengths(*extent, depth), bed=bed, spacing=SPACING)
+
+
+def cost_of_steps(given, run, few, many, threads, *options):
+    """Two runs; [ns] of processor time and of the clock a particle and step of those that the longer one takes more."""
+    short, long = (measure.solve(given.thalweg, run, "--benchmark", steps, *options, threads=threads)
+                   for steps in (few, many))
+    per = 1e9 / (long.fluid * (long.steps - short.steps))
+    return (long.cpu - short.cpu) * per, (long.wall - short.wall) * per, long
+
+
+def sizes(given, page, dimension, with_bed, numbers):
+    rows = []
+    for number in numbers:
+        folder = measure.write_case(scene(dimension, number, with_bed), given.out / f"{dimension}d-{with_bed:d}-{number}")
+        run = measure.fill(given.thalweg, folder, folder / "run")
+        many = 2 + max(4, min(2000, int(given.work / number)))
+        turns = measure.in_turn({"step": lambda: cost_of_steps(given, run, 2, many, 1),
+                                 "lists": lambda: cost_of_steps(given, run, 2, 2 + max(2, many // 8), 1, "--set",
+                                                                "numerics.list_skin=0")},
+                                1 if number > 3e6 else given.repeats)
+        cpu = measure.Spread.of(t[0] for t in turns["step"])
+        built = measure.Spread.of(t[0] - cpu.median for t in turns["lists"])
+        cost = turns["step"][0][2]
+        rows.append([cost.fluid, cpu, built, cost.iterations, cost.bytes * cost.particles / cost.fluid, cost.bytes,
+                     cost.peak / cost.particles, f"{cost.rebuilds} in {cost.steps}"])
+        if number > 1e6:
+            shutil.rmtree(folder)  # gigabytes
+    page.table(f"{dimension}-D, {'water over a bed' if with_bed else 'water'}, one thread; particles are fluid, and walls are "
+               f"{cost.particles / cost.fluid - 1:.0%} of them beside",
+               ["particles", "CPU ns a particle-step", "CPU ns a particle to build lists", "viscous iterations a step",
+                "bytes of arrays a fluid particle", "bytes of arrays a particle", "peak memory a particle, reading included",
+                "lists built"], rows)
+    least, most = (pick(r[1].median for r in rows) for pick in (min, max))
+    page.note(f"Dearest over cheapest: {most / least:.2f}.")
+    page.figure(f"{dimension}-D, {'water over a bed' if with_bed else 'water'}, {rows[0][0]} to {rows[-1][0]} particles: CPU time a "
+                "particle-step, one core", f"{least:.0f} to {most:.0f} ns; lists {min(r[2].median for r in rows):.0f} to "
+                f"{max(r[2].median for r in rows):.0f} ns each time; {rows[-1][5]:.0f} bytes a particle")
+
+
+def threads(given, page):
+    rows = []
+    for name, dimension, number, with_bed in (("2-D, bed", 2, given.thread_particles // 3, True),
+                                              ("3-D, bed", 3, given.thread_particles, True),
+                                              ("3-D, water", 3, given.thread_particles, False)):
+        folder = measure.write_case(scene(dimension, number, with_bed), given.out / f"threads-{dimension}d-{with_bed:d}")
+        run = measure.fill(given.thalweg, folder, folder / "run")
+        many = 2 + max(10, int(given.work / number))
+        turns = measure.in_turn({f"{name}, {n} threads": lambda n=n: cost_of_steps(given, run, 2, many, n) for n in (1, 2)},
+                                given.repeats)
+        one, two = turns.values()
+        rows.append([name, one[0][2].fluid, measure.Spread.of(t[1] for t in one), measure.Spread.of(t[1] for t in two),
+                     measure.ratios((t[1] for t in one), (t[1] for t in two)),
+                     measure.ratios((t[0] for t in two), (t[0] for t in one))])
+        page.figure(f"second thread, {rows[-1][0]}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} times as fast")
+    page.table("One thread and two, in turn; by the clock, which needs a machine with nothing else to do",
+               ["scene", "particles", "ns a particle-step, one", "two", "gain", "processor time of two over one"], rows)
+
+
+def counted(given, run, steps):
+    """Instructions, reads and writes, misses of the first and of the last cache, as valgrind's model of them counts."""
+    said = measure.call("valgrind", "--tool=cachegrind", "--cache-sim=yes", f"--LL={LAST_CACHE},16,64",
+                        "--cachegrind-out-file=/dev/null", given.thalweg.with_name("thalweg-solver"), run, "--threads", 1,
+                        "--benchmark", steps).text
+    return [int(re.search(rf"{name}:\s+([\d,]+)", said).group(1).replace(",", ""))
+            for name in ("I +refs", "D +refs", "D1 +misses", "LLd misses")]
+
+
+def traffic(given, page):
+    """What a step reads and writes, where no counters of the processor can be had."""
+    if shutil.which("valgrind") is None:
+        page.note("Memory traffic is not counted: valgrind is not installed.")
+        return
+    rows = []
+    for with_bed in (False, True):
+        folder = measure.write_case(scene(3, given.traffic_particles, with_bed), given.out / f"traffic-{with_bed:d}")
+        run = measure.fill(given.thalweg, folder, folder / "run")
+        cost = measure.solve(given.thalweg, run, "--benchmark", 2)
+        few, many = (counted(given, run, steps) for steps in (1, 3))
+        each = [(m - f) / (2 * cost.fluid) for f, m in zip(few, many)]
+        rows.append(["water over a bed" if with_bed else "water", cost.fluid, *each[:2], 64 * each[2], 64 * each[3],
+                     cost.bytes * cost.particles / cost.fluid])
+    page.table(f"Counted by valgrind's model of the caches (AVX2 sweeps, which is all it knows; last cache {LAST_CACHE >> 20} MB), "
+               "3-D, for a fluid particle and a step that builds no lists",
+               ["scene", "particles", "instructions", "reads and writes", "bytes into the first cache",
+                "bytes from memory", "bytes of arrays a fluid particle"], rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    measure.common_arguments(parser, 3)
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/scaling"),
+                        help="where scenes go; kept for the next time but for the largest (default: %(default)s)")
+    parser.add_argument("--largest", type=float, default=1e7, help="number of particles in 3-D (default: %(default)g)")
+    parser.add_argument("--work", type=float, default=4e6, help="particle-steps of a run, about (default: %(default)g)")
+    parser.add_argument("--thread-particles", type=int, default=200000, help="of the 3-D scenes of the part threads")
+    parser.add_argument("--traffic-particles", type=int, default=30000, help="of the scenes of the part traffic")
+    parser.add_argument("--part", choices=("space", "plane", "threads", "traffic"),
+                        help="default: all but traffic")
+    given = parser.parse_args()
+
+    page = measure.Page("scaling" + (f"-{given.part}" if given.part else ""), "Particles and threads",
+                        measure.command_line("scaling/scaling.py"))
+    def up_to(largest):
+        return [round(10 ** (4 + k / 2)) for k in range(1 + int(2 * math.log10(largest / 1e4) + 1e-6))]
+    if given.part in (None, "space"):
+        sizes(given, page, 3, False, up_to(given.largest))
+        sizes(given, page, 3, True, up_to(min(1e6, given.largest)))
+    if given.part in (None, "plane"):
+        sizes(given, page, 2, True, up_to(min(1e6, given.largest)))
+    if given.part in (None, "threads"):
+        threads(given, page)
+    if given.part == "traffic":
+        traffic(given, page)
+    page.write(given.results)
+
+
+if __name__ == "__main__":
+    main()
