@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-from particle_file import SEDIMENT, WATER, arrays
+from study.particle_file import SEDIMENT, WATER, arrays
 
 HALF_WIDTH = 0.04  # [m] of a section's window
 BED = 0.6  # porosity of the bed is below

@@ -9,6 +9,24 @@
 
 namespace thalweg {
 
+Numerics numerics_at(Accuracy accuracy) {
+  Numerics numerics;
+  numerics.accuracy = accuracy;
+  switch (accuracy) {
+    case Accuracy::draft:
+      numerics.cfl = 0.5;
+      numerics.sound_speed_factor = 7;
+      break;
+    case Accuracy::standard:
+      break;
+    case Accuracy::fine:
+      numerics.smoothing_ratio = 1.8;
+      numerics.sound_speed_factor = 20;
+      break;
+  }
+  return numerics;
+}
+
 bool Case::has_sediment() const {
   return std::any_of(shapes.begin(), shapes.end(),
                      [](const Shape& shape) { return shape.role == ShapeRole::sediment; });

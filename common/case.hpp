@@ -431,7 +431,24 @@ inline constexpr std::array<Choice<Precision>, 2> choices(Precision) {
             "64 bits, on CPU cores only: to see what single precision costs in accuracy and gains in time"}}};
 }
 
+/// How exact a run is to be where the case does not say it key by key; numerics_at() says what follows.
+enum class Accuracy { draft, standard, fine };
+
+inline constexpr std::array<Choice<Accuracy>, 3> choices(Accuracy) {
+  return {{{Accuracy::draft, "draft", "cfl = 0.5, sound_speed_factor = 7"},
+           {Accuracy::standard, "standard", "the defaults of this table"},
+           {Accuracy::fine, "fine", "smoothing_ratio = 1.8, sound_speed_factor = 20"}}};
+}
+
+enum class Integrator { leapfrog, two_pass };
+
+inline constexpr std::array<Choice<Integrator>, 2> choices(Integrator) {
+  return {{{Integrator::leapfrog, "leapfrog", "accelerations and density rates once a step, half a step apart"},
+           {Integrator::two_pass, "two-pass", "the midpoint rule: both twice a step; for comparison"}}};
+}
+
 struct Numerics {
+  Accuracy accuracy = Accuracy::standard;
   double spacing = required;           // [m]
   double smoothing_ratio = 1.5;        // [-] h / spacing
   double sound_speed_factor = 10;      // [-]
@@ -445,12 +462,17 @@ struct Numerics {
   double list_skin = 0.1;        // [-]
   double excluded_limit = 1e-3;  // [-]
   Precision precision = Precision::single_sums;
+  Integrator integrator = Integrator::leapfrog;
 
   template <class V>
   void describe(V& v) {
+    v.choice("accuracy", accuracy,
+             "Sets the defaults of other keys of this table; what each level costs and gives is measured in "
+             "docs/speed-against-error.md. The spacing decides more than any of them.");
     v.quantity("spacing", spacing, "m", 1e-6, 100, "Distance of the particles at the start (dp).");
     v.number("smoothing_ratio", smoothing_ratio, 1.1, 3,
-             "Smoothing length over spacing; 1.5 rests best, 1.3 is cheaper (docs/theory.md).");
+             "Smoothing length over spacing; 1.3 is no cheaper in the plane than 1.5, and less exact "
+             "(docs/speed-against-error.md).");
     v.number("sound_speed_factor", sound_speed_factor, 5, 100,
              "Sound speed over maximum_speed; 10 keeps density within 1 %.");
     v.quantity("maximum_speed", maximum_speed, "m/s", 0, 1000,
@@ -471,8 +493,12 @@ struct Numerics {
     v.number("excluded_limit", excluded_limit, 0, 1,
              "Share of the fluid particles that may leave the domain before the run stops with an error.");
     v.choice("precision", precision, "Precision in which a particle's sums over its neighbours are computed.");
+    v.choice("integrator", integrator, "How a step in time is made.");
   }
 };
+
+/// The defaults of the numerics at a level of accuracy.
+Numerics numerics_at(Accuracy accuracy);
 
 struct Output {
   double end = required;        // [s]

@@ -250,6 +250,9 @@ class CaseCheck {
     if (case_.model.seepage == SeepageModel::mixture) {
       reject("model.seepage", "a mixture of grains and water has no moving walls", "remove one of the two");
     }
+    if (case_.numerics.integrator == Integrator::two_pass) {
+      reject("numerics.integrator", "the two-pass integrator has no moving walls", "write integrator = \"leapfrog\"");
+    }
   }
 
   void motion_keys(const Motion& m, const std::string& path) const {
@@ -388,6 +391,9 @@ class CaseCheck {
     }
     if (case_.model.effective_pressure != EffectivePressure::column) {
       reject("model.effective_pressure", key + " takes the effective pressure from the columns", "write \"column\"");
+    }
+    if (mixture && case_.numerics.integrator == Integrator::two_pass) {
+      reject("numerics.integrator", "the two-pass integrator knows no mixture", "write integrator = \"leapfrog\"");
     }
     if (mixture && case_.model.sediment != SedimentModel::viscoplastic) {
       reject("model.sediment", "the grains of a mixture have no states", "write sediment = \"viscoplastic\"");

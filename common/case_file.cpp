@@ -127,6 +127,7 @@ class CaseReader {
 
   Case read() {
     if (root_["model"]["implementation"].value<std::string>() == "paper") take_printed_defaults();
+    if (const toml::node* accuracy = root_["numerics"]["accuracy"].node()) take_accuracy(*accuracy);
     for_each_table(
         result_, [&](const TableHeading& heading, auto& table) { read_table(heading.name, table); },
         [&] { read_list("shape", result_.shapes), read_list("motion", result_.motions); }, [&] { read_sediments(); },
@@ -145,6 +146,18 @@ class CaseReader {
     result_.model.bed_shear = BedShear::paper;
     sediment_defaults_.consistency = 1.54;  // [Pa s^n] 0.001 m^2/s times the paper's 1540 kg/m^3
     sediment_defaults_.flow_index = 1.8;
+  }
+
+  /// What numerics.accuracy means where the case says nothing itself. A resolved case says everything.
+  void take_accuracy(const toml::node& node) {
+    const std::string where = where_is(node, origins_.file);
+    if (root_["resolved"] && where.starts_with("--set ")) {
+      reject_case(where, "numerics.accuracy sets defaults, and a resolved case has none left",
+                  "fill the scene again: thalweg gencase CASE --set numerics.accuracy=...");
+    }
+    for (const auto& choice : choices(Accuracy{})) {
+      if (node.value<std::string>() == choice.name) result_.numerics = numerics_at(choice.value);
+    }
   }
 
   template <class Table>

@@ -214,6 +214,7 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.diffusion = static_cast<float>(2 * n.density_diffusion * h * c);
   s.artificial_viscosity = static_cast<float>(n.artificial_viscosity * c * h);
   s.cfl = n.cfl;
+  s.two_pass = n.integrator == Integrator::two_pass;
   s.viscosity = n.viscosity;
   s.viscous_tolerance = n.viscous_tolerance;
   s.viscous_iterations = n.viscous_iterations;

@@ -80,16 +80,17 @@ ParticleSet read_start(const RunOptions& options, const Case& c) {
   return particles;
 }
 
-/// Says which choices of precision and of the sediment's model are not the default ones, and what they are worth.
+/// Says what a choice means that is not the usual one.
+template <class Word>
+void announce(const char* key, const Word& choice, const Word& usual) {
+  if (choice == usual) return;
+  for (const auto& word : choices(choice)) {
+    if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
+  }
+}
+
+/// Says which choices of the sediment's model are not the default ones, and what they are worth.
 void announce_choices(const Case& c) {
-  const auto announce = [](const char* key, const auto& choice, const auto& usual) {
-    if (choice == usual) return;
-    for (const auto& word : choices(choice)) {
-      if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
-    }
-  };
-  announce("numerics.precision", c.numerics.precision, Numerics{}.precision);
-  if (!c.has_sediment()) return;
   announce("model.sediment", c.model.sediment, SedimentModel::viscoplastic);
   announce("model.implementation", c.model.implementation, Model{}.implementation);
   announce("model.effective_pressure", c.model.effective_pressure, Model{}.effective_pressure);
@@ -129,7 +130,10 @@ class Run {
     next_gauges_ = gauge_time_after(clock_.time);
     counts_.excluded = output_.excluded_before();
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
-    announce_choices(c);
+    announce("numerics.accuracy", c.numerics.accuracy, Numerics{}.accuracy);
+    announce("numerics.precision", c.numerics.precision, Numerics{}.precision);
+    announce("numerics.integrator", c.numerics.integrator, Numerics{}.integrator);
+    if (c.has_sediment()) announce_choices(c);
     announce_seepage(c);
     warn_of_fast_walls(c, start);
   }

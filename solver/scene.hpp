@@ -92,6 +92,7 @@ struct Scene {
   float diffusion = 0;               // 2 delta h c [m^2/s]
   float artificial_viscosity = 0;    // alpha c h [m^2/s]
   double cfl = 0;
+  bool two_pass = false;  // integrator
   ViscosityTreatment viscosity = ViscosityTreatment::implicit;
   double viscous_tolerance = 0;
   int viscous_iterations = 1000;

@@ -16,6 +16,7 @@
 #include "solver/passes/rest.hpp"
 #include "solver/passes/sediment_strength.hpp"
 #include "solver/passes/time_step.hpp"
+#include "solver/passes/two_pass.hpp"
 #include "solver/passes/viscous_step.hpp"
 #include "solver/timing.hpp"
 
@@ -29,6 +30,7 @@ struct Workspace {
   Mixture<Device> mixture;
   PoreDiffusion<Device> pore_diffusion;
   typename Device::template Buffer<StepState> state;  // one, of the step under way
+  typename Device::template Buffer<StepStart> start;  // of the particles; empty unless scene.two_pass
   std::int64_t list_rebuilds = 0;
   std::vector<WallMotion> motions;
   double time = 0;            // [s] at the start of the step
@@ -68,6 +70,23 @@ std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& 
   ++work.list_rebuilds;
   ++work.lists;
   return excluded;
+}
+
+/// The two-pass integrator's accelerations and density rates: of half-way (passes/two_pass.hpp).
+template <int Dim, class Device>
+void evaluate_half_way(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace<Device>& work,
+                       Timing& timing) {
+  using H = Heading;
+  timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
+  timing.time(H::drift, [&] { go_half_way(on, p, scene, work.state.data(), work.start); });
+  timing.time(H::apply_equation_of_state, [&] { apply_equation_of_state(on, p, scene); });
+  timing.time(H::extrapolate_to_walls, [&] {
+    if (p.any_resting) extrapolate_to_resting(on, p, scene);
+    extrapolate_to_walls(on, p, scene);
+  });
+  timing.time(H::compute_accelerations, [&] { compute_accelerations(on, p, scene); });
+  timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
+  timing.time(H::drift, [&] { take_back_velocities(on, p, work.start); });
 }
 
 /// The step up to the viscous part of its velocities. Returns the sweeps that the effective pressure took.
@@ -110,6 +129,7 @@ int begin_step(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Worksp
   });
   timing.time(H::stable_time_step, [&] { stable_time_step(on, p, scene, state); });
   on.only_if(&state->go);
+  if (scene.two_pass) evaluate_half_way(on, p, scene, work, timing);
   timing.time(H::kick, [&] { kick(on, p, state); });
   if (scene.has_sediment && scene.has_moving_walls) {  // viscosity drags at the velocity the walls go with
     timing.time(H::move_walls, [&] { move_walls(on, p, scene, work.motions, work.time, on.look(&state->step.dt), 0); });
@@ -136,14 +156,18 @@ void end_step(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspa
     if (!scene.has_moving_walls) return;
     timing.time(H::move_walls, [&] { move_walls(on, p, scene, work.motions, work.time, dt_of_walls, share); });
   };
-  timing.time(H::drift, [&] { drift(on, p, scene, state, 0.5); });
-  move_walls_by(0.5);
-  timing.time(H::compute_density_rates, [&] {
-    mixture ? compute_mixture_density_rates(on, p, scene, work.mixture) : compute_density_rates(on, p, scene);
-  });
-  timing.time(H::update_density, [&] { update_density(on, p, state); });
-  timing.time(H::drift, [&] { drift(on, p, scene, state, 0.5); });
-  move_walls_by(1);
+  if (scene.two_pass) {
+    timing.time(H::drift, [&] { go_all_the_way(on, p, scene, state, work.start); });
+  } else {
+    timing.time(H::drift, [&] { drift(on, p, scene, state, 0.5); });
+    move_walls_by(0.5);
+    timing.time(H::compute_density_rates, [&] {
+      mixture ? compute_mixture_density_rates(on, p, scene, work.mixture) : compute_density_rates(on, p, scene);
+    });
+    timing.time(H::update_density, [&] { update_density(on, p, state); });
+    timing.time(H::drift, [&] { drift(on, p, scene, state, 0.5); });
+    move_walls_by(1);
+  }
   if (scene.seepage.pore_pressure) {
     timing.time(H::advance_pore_pressure,
                 [&] { advance_pore_pressure(on, p, scene, work.pore_diffusion, state, longest_stable_step(scene)); });

@@ -10,75 +10,28 @@ All numbers are those of `thalweg postproc`: profiles, fronts, and root mean squ
 """
 
 import argparse
-import csv
 import itertools
-import json
 import math
 import pathlib
-import re
 import shutil
-import subprocess
 import sys
 import tomllib
-from concurrent.futures import ThreadPoolExecutor
-
-from page import CURVES, Results, draw, page
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "bench"))
+
+from page import CURVES, Results, draw, page
+from study import runs
+from study.origin import commit
+from study.tables import read_table, write_table
 
 
-def read_table(file):
-    """Rows of a CSV table of ours, units taken off the headings, numbers as numbers."""
-    with file.open(encoding="utf-8") as lines:
-        rows = csv.DictReader(line for line in lines if not line.startswith("#"))
-        rows.fieldnames = [heading.split(" [")[0] for heading in rows.fieldnames]
-        return [{key: number(value) for key, value in row.items()} for row in rows]
-
-
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def write_table(file, rows, comment):
-    with file.open("w", encoding="utf-8", newline="") as to:
-        to.write(f"# {comment}\n")
-        table = csv.DictWriter(to, rows[0].keys(), lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
-
-
-class Run:
+class Run(runs.Run):
     """One run of the study: the case with some keys changed, in a folder of its own."""
 
     def __init__(self, study, name, settings):
-        self.study, self.name, self.settings = study, name, settings
-        self.folder = study.out / "runs" / re.sub(r"[^\w.]+", "_", name)
-
-    def complete(self):
-        mark = self.folder / "study.json"
-        return mark.exists() and json.loads(mark.read_text(encoding="utf-8")) == self.settings
-
-    def compute(self):
-        """Computes what is not there yet; continues a run that was stopped on the way."""
-        if self.complete():
-            return
-        begun = self.folder / "study.begun.json"
-        same = begun.exists() and json.loads(begun.read_text(encoding="utf-8")) == self.settings
-        checkpoint = self.folder / "checkpoint.vtp"
-        if not (same and checkpoint.exists()):
-            shutil.rmtree(self.folder, ignore_errors=True)
-            overrides = [text for setting in self.settings for text in ("--set", setting)]
-            self.study.call("gencase", self.study.case, "--out", self.folder, *overrides)
-            begun.write_text(json.dumps(self.settings), encoding="utf-8")
-            self.study.call("solver", self.folder, "--threads", "1")
-        else:
-            self.study.call("solver", self.folder, "--threads", "1", "--restart", checkpoint)
-        self.study.call("postproc", self.folder)
-        begun.rename(self.folder / "study.json")
-        print(f"done: {self.name}", flush=True)
+        super().__init__(study.thalweg, study.out / "runs", study.case, name, settings)
+        self.study = study
 
     def front(self, time):
         """[m]"""
@@ -90,19 +43,6 @@ class Run:
         at = {round(row["x"], 6): row["bed"] for row in read_table(self.folder / "profiles" / f"t{time:.3f}.csv")}
         beds = [bed for bed in at.values() if isinstance(bed, float)]
         return self.study.bed_level - min(beds), max(beds) - self.study.bed_level
-
-    def summary(self, quantity):
-        return next(row["value"] for row in read_table(self.folder / "summary.csv") if row["quantity"] == quantity)
-
-    def distances(self, others):
-        """Root mean square [m] from each of the other runs, by (its name, curve, time)."""
-        if not others:
-            return {}
-        compared = [f"{other.name.replace('=', '')}={other.folder}" for other in others]
-        labels = {other.name.replace("=", ""): other.name for other in others}
-        self.study.call("postproc", self.folder, "--compare", *compared)
-        return {(labels[row["reference"]], row["curve"], row["time"]): row["rmse"]
-                for row in read_table(self.folder / "report/errors.csv") if row["reference"] in labels}
 
 
 class Study:
@@ -121,31 +61,19 @@ class Study:
         bed = next(shape for shape in shapes if shape["role"] == "sediment")
         self.bed_level = float(bed["to"][-1].split()[0])  # [m] the case file says it in m
 
-    def call(self, *arguments):
-        result = subprocess.run([self.thalweg, *arguments], capture_output=True, text=True, check=False)
-        if result.returncode != 0:
-            raise RuntimeError(f"thalweg {' '.join(map(str, arguments))}\n{result.stdout}{result.stderr}")
-        return result.stdout
-
     def runs(self):
         return [self.base, *self.starts, *(run for _, _, run in self.choices), *self.spacings]
 
     def compute(self, jobs):
         """Computes all runs, `jobs` at a time; a run that fails is reported and left out."""
-        def one(run):
-            try:
-                run.compute()
-            except RuntimeError as error:
-                print(f"FAILED: {run.name}\n{error}", file=sys.stderr, flush=True)
-        with ThreadPoolExecutor(jobs) as pool:
-            list(pool.map(one, self.runs()))
+        runs.compute_all(self.runs(), jobs, lambda run: run.compute(postproc=True))
 
     def scatter(self):
         """Root mean square over all pairs of equal runs by (curve, time); extent of front, scour and ridge by name."""
         members = [run for run in [self.base, *self.starts] if run.complete()]
         pairs = {}
         for n, run in enumerate(members[1:], 1):
-            for (_, curve, time), distance in run.distances(members[:n]).items():
+            for (_, curve, time), distance in run.profile_distances(members[:n]).items():
                 pairs.setdefault((curve, time), []).append(distance)
         rms = {key: math.sqrt(sum(d * d for d in found) / len(found)) for key, found in pairs.items()}
         extents = {}
@@ -164,8 +92,7 @@ def figures_of(run, times):
         scour, ridge = run.bed_change(time)
         row |= {f"front {time:g} s [m]": f"{run.front(time):.3f}", f"scour {time:g} s [m]": f"{scour:.4f}",
                 f"ridge {time:g} s [m]": f"{ridge:.4f}"}
-    cpu = run.summary("cpu_seconds") * run.summary("steps") / run.summary("steps_since_restart")
-    return row | {"steps [-]": int(run.summary("steps")), "cpu [s]": f"{cpu:.1f}",
+    return row | {"steps [-]": int(run.summary("steps")), "cpu [s]": f"{run.cpu_seconds():.1f}",
                   "viscous iterations a step [-]": run.summary("viscous_iterations_per_step")}
 
 
@@ -178,7 +105,7 @@ def effects(study):
     rows = []
     for group, name, run in study.choices:
         if run.complete():
-            distances = run.distances([study.base])
+            distances = run.profile_distances([study.base])
             rows.append({"group": group, "choice": name} | rms_columns(distances, study.base.name, study.times) |
                         figures_of(run, study.times))
     return rows
@@ -188,7 +115,7 @@ def convergence(study):
     runs = [run for run in study.spacings if run.complete()]
     rows = []
     for run in runs:
-        distances = run.distances([runs[-1]]) if run is not runs[-1] else {}
+        distances = run.profile_distances([runs[-1]]) if run is not runs[-1] else {}
         rows.append({"spacing": run.name} | rms_columns(distances, runs[-1].name, study.times) |
                     figures_of(run, study.times))
     return rows
@@ -235,10 +162,8 @@ def main():
         shutil.copy(picture, images)
         base = {"group": "as it is", "choice": ""} | rms_columns({}, "", study.times)
         base |= figures_of(study.base, study.times)
-        commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True,
-                                check=True).stdout.strip()
         case = study.case.relative_to(ROOT)
-        given.page.write_text(page(results, base, f"`{case}` at a spacing of {study.spacing}", equal, commit),
+        given.page.write_text(page(results, base, f"`{case}` at a spacing of {study.spacing}", equal, commit()),
                               encoding="utf-8")
     print(f"{study.out / 'effects.csv'}, convergence.csv, repeatability.csv, {picture.name}")
 

@@ -1,8 +1,10 @@
 """The picture and the page of an effect study."""
 
 import math
-import subprocess
 from dataclasses import dataclass
+
+from study import pictures
+from study.tables import markdown
 
 CURVES = ("free_surface", "bed", "moving_bed")
 
@@ -37,8 +39,6 @@ def draw(results, picture):
                        f'{mean_over_times(row, "free_surface", times):.3f} {row[f"front {times[-1]:g} s [m]"]} '
                        f'{1e3 * float(row[f"scour {times[-1]:g} s [m]"]):.2f}' for row in convergence_rows)
     script = f"""
-set terminal svg size 1000,{520 + 26 * len(effect_rows)} font "sans,13" background "white"
-set output "{picture.name}"
 $effects << END
 {bars}
 END
@@ -79,18 +79,7 @@ plot $spacings using 1:4 with linespoints pt 7 lc rgb "#2b6cb0" title "front", \
      $spacings using 1:($5/10) with linespoints pt 7 lc rgb "#8c6239" title "scour"
 unset multiplot
 """
-    file = picture.with_suffix(".gnuplot")
-    file.write_text(script, encoding="utf-8")
-    result = subprocess.run(["gnuplot", file.name], cwd=picture.parent, capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        raise RuntimeError(f"gnuplot: {result.stderr}")
-
-
-def markdown(columns, rows):
-    yield "| " + " | ".join(columns) + " |"
-    yield "|" + "---|" * len(columns)
-    for row in rows:
-        yield "| " + " | ".join(str(cell) for cell in row) + " |"
+    pictures.draw(script, picture, 1000, 520 + 26 * len(effect_rows))
 
 
 def series_of(row, name, times, factor, digits):

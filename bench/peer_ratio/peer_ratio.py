@@ -19,7 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import dualsphysics  # noqa: E402
 import measure  # noqa: E402
-import particle_file  # noqa: E402
+from study import particle_file  # noqa: E402
 
 SCENE = {"name": "collapse", "spacing": 0.008, "smoothing_length": 0.012, "density": 1000.0, "sound_speed": 35.0,
          "artificial_viscosity": 0.02, "density_diffusion": 0.1, "cfl": 0.2}

@@ -3,8 +3,8 @@
 #include "solver/passes/integrate.hpp"
 
 // The integrator in two passes: the explicit midpoint rule, of second order in time also where velocities enter the
-// accelerations (Monaghan 1994 and most SPH codes since), with two evaluations of accelerations and density rates a step
-// where leapfrog has one. For comparison: in the scenes at hand it gains nothing (docs/speed-against-error.md).
+// accelerations (Monaghan 1994 and most SPH codes since), with two evaluations of accelerations and density rates a
+// step where leapfrog has one. For comparison: in the scenes at hand it gains nothing (docs/speed-against-error.md).
 //
 //   half-way   u' = u + dt/2 (a + a_viscous of the last step),  x' = x + dt/2 u,  d' = d + dt/2 d_rate
 //   whole      u+ = u + dt a(') and the viscous solve,  x+ = x + dt/2 (u + u+),   d+ = d + dt d_rate(')

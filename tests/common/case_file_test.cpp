@@ -293,6 +293,31 @@ TEST(Implementation, SetsDefaultsThatTheCaseMayStillChange) {
   EXPECT_EQ(mixed.model.bed_shear, BedShear::paper);
 }
 
+TEST(Accuracy, SetsDefaultsThatTheCaseMayStillChange) {
+  const Numerics usual = read_case(good_case, {"numerics.accuracy=standard"}).numerics;
+  EXPECT_EQ(usual.cfl, Numerics{}.cfl);
+  EXPECT_EQ(usual.sound_speed_factor, Numerics{}.sound_speed_factor);
+  const Numerics draft = read_case(good_case, {"numerics.accuracy=draft"}).numerics;
+  EXPECT_EQ(draft.accuracy, Accuracy::draft);
+  EXPECT_GT(draft.cfl, usual.cfl);
+  EXPECT_LT(draft.sound_speed_factor, usual.sound_speed_factor);
+  const Numerics mixed = read_case(good_case, {"numerics.accuracy=draft", "numerics.cfl=0.1"}).numerics;
+  EXPECT_EQ(mixed.cfl, 0.1);
+  EXPECT_EQ(mixed.sound_speed_factor, draft.sound_speed_factor);
+  const Numerics fine = read_case(good_case, {"numerics.accuracy=fine"}).numerics;
+  EXPECT_GT(fine.sound_speed_factor, usual.sound_speed_factor);
+  EXPECT_GT(fine.smoothing_ratio, usual.smoothing_ratio);
+}
+
+TEST(Accuracy, ComesTooLateForAResolvedCase) {
+  const fs::path file = own_folder() / "case.resolved.toml";
+  write_case(file, read_case(good_case, {"numerics.accuracy=draft"}));
+  EXPECT_EQ(read_case(file).numerics.cfl, numerics_at(Accuracy::draft).cfl);
+  EXPECT_THAT(message_of(file, {"numerics.accuracy=fine"}),
+              HasSubstr("numerics.accuracy sets defaults, and a resolved case has none left; fill the scene again"));
+  fs::remove_all(file.parent_path());
+}
+
 TEST(Documentation, IsWhatTheDeclarationsSay) {
   std::ostringstream markdown;
   write_key_reference(markdown);

@@ -64,8 +64,7 @@ struct Setting {
     scene = test::make_scene_of(setup);
     scene.has_sediment = true;
     load_particles(on, p, scene, uneven_bed(scene));
-    std::int64_t rebuilt = 0;
-    refresh_neighbours(on, p, scene, rebuilt);
+    rebuild_lists(on, p, scene);
   }
 
   Sums<Real> sums() {

@@ -1,0 +1,245 @@
+"""The problems with a known answer: how a run starts, and what its error is.
+
+errors(run, finest) gives its measures by name; matrix.toml says which of them pictures and Pareto fronts show. `finest` is the run
+from which distances count, None where the problem has none or the run is this one.
+"""
+
+import math
+import tomllib
+
+import norms
+from study.origin import ROOT
+from study.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
+from study.tables import read_table
+
+GRAVITY = 9.81  # [m/s^2] of every case but the slot
+
+
+def resolved(folder):
+    return tomllib.loads((folder / "case.resolved.toml").read_text(encoding="utf-8"))
+
+
+def quantity(text):
+    """A number with its unit, as the resolved case writes it: SI."""
+    return float(str(text).split()[0])
+
+
+def snapshots(folder):
+    return sorted((folder / "snapshots").glob("*.vtp"))
+
+
+class Slot:
+    """A Herschel-Bulkley-Papanastasiou fluid in a slot."""
+
+    width = 0.1  # [m]
+
+    def start(self, folder):
+        """Without pressure: the weight along the slot is what drives the flow, not a column that rests."""
+        file, case = folder / "particles.vtp", resolved(folder)
+        particles = arrays(file, {"Type", "Density", "Pressure", "Mass"})
+        density = quantity(case["materials"]["paste"]["grain_density"])
+        spacing = quantity(case["numerics"]["spacing"])
+        fluid = set(of_fluid(particles))
+        count = range(len(particles["Type"]))
+        replace_arrays(file, {
+            "Density": [density if i in fluid else particles["Density"][i] for i in count],
+            "Mass": [density * spacing ** 2 if i in fluid else particles["Mass"][i] for i in count],
+            "Pressure": [0.0 for i in count]})
+
+    def errors(self, run, finest=None):
+        case = resolved(run.folder)
+        paste = case["materials"]["paste"]
+        law = [quantity(paste[key]) for key in ("cohesion", "regularisation", "consistency", "flow_index")]
+        force = quantity(paste["grain_density"]) * -quantity(case["domain"]["gravity"][1])
+        exact = norms.slot_velocity(self.width, force, law)
+        particles = arrays(snapshots(run.folder)[-1], {"Type", "Points", "Velocity"})
+        fluid = of_fluid(particles)
+        largest = exact(self.width / 2)
+        profile = [(particles["Points"][3 * i], -particles["Velocity"][3 * i + 2]) for i in fluid]
+        distance = norms.rms(speed - exact(x) for x, speed in profile)
+        deeper = quantity(case["numerics"]["spacing"]) / 2
+        wider = norms.slot_velocity(self.width + 2 * deeper, force, law)
+        from_wider = norms.rms(speed - wider(x + deeper) for x, speed in profile)
+        flux = sum(speed for _, speed in profile) / len(profile)
+        mean = sum(exact((k + 0.5) * self.width / 4000) for k in range(4000)) / 4000
+        return {"velocity": distance / largest, "flux": flux / mean - 1,
+                "walls half a spacing deeper": from_wider / largest}
+
+
+class Vortex:
+    """Taylor-Green vortex, in the plane or as a slab."""
+
+    side, speed = 1.0, 1.0  # [m], [m/s]
+
+    @staticmethod
+    def viscosity(case):
+        """Kinematic [m^2/s]."""
+        water = case["materials"]["water"]
+        return quantity(water["viscosity"]) / quantity(water["density"])
+
+    def start(self, folder):
+        file, case = folder / "particles.vtp", resolved(folder)
+        numerics = case["numerics"]
+        sound = quantity(numerics["sound_speed_factor"]) * quantity(numerics["maximum_speed"])
+        places = arrays(file, {"Points"})["Points"]
+        velocity, density, pressure = [], [], []
+        for i in range(0, len(places), 3):
+            u, w, over_density = norms.vortex(places[i], places[i + 2], 0.0, self.side, self.speed, self.viscosity(case))
+            velocity += [u, 0.0, w]
+            density.append(1000 * (1 + over_density / sound ** 2))
+            pressure.append(1000 * over_density)
+        replace_arrays(file, {"Velocity": velocity, "Density": density, "Pressure": pressure})
+
+    def errors(self, run, finest=None):
+        case = resolved(run.folder)
+        end, viscosity = quantity(case["output"]["end"]), self.viscosity(case)
+        particles = arrays(snapshots(run.folder)[-1], {"Points", "Velocity"})
+        places, velocities = particles["Points"], particles["Velocity"]
+        squares = energy = exact_energy = 0.0
+        for i in range(0, len(places), 3):
+            u, w, _ = norms.vortex(places[i], places[i + 2], end, self.side, self.speed, viscosity)
+            squares += (velocities[i] - u) ** 2 + velocities[i + 1] ** 2 + (velocities[i + 2] - w) ** 2
+            energy += velocities[i] ** 2 + velocities[i + 1] ** 2 + velocities[i + 2] ** 2
+        count = len(places) / 3
+        decay = math.exp(-8 * math.pi ** 2 * end * viscosity / self.side ** 2)
+        exact_energy = count * (self.speed * decay) ** 2 / 2
+        return {"velocity": math.sqrt(squares / count) / (self.speed * decay),
+                "decay": abs(math.sqrt(energy / exact_energy) - 1)}
+
+
+class Still:
+    """Water over a bed, both at rest; means over the snapshots of the run's second half."""
+
+    start = None
+
+    def errors(self, run, finest=None):
+        case = resolved(run.folder)
+        pvc = case["materials"]["pvc"]
+        porosity = quantity(pvc["porosity"])
+        bed = porosity * quantity(pvc["pore_density"]) + (1 - porosity) * quantity(pvc["grain_density"])
+        layers = ((0.06, bed), (0.16, 1000.0))
+        wanted = {"Type", "Points", "Velocity", "Pressure"}
+        files = snapshots(run.folder)
+        wrong, speeds = [], []
+        for file in files[len(files) // 2:]:
+            particles = arrays(file, wanted)
+            fluid = of_fluid(particles)
+            exact = [norms.layered_pressure(particles["Points"][3 * i + 2], layers, GRAVITY) for i in fluid]
+            wrong.append(norms.rms(particles["Pressure"][i] - p for i, p in zip(fluid, exact)) / norms.rms(exact))
+            water = [i for i in fluid if particles["Type"][i] == WATER]
+            speeds.append(norms.rms(math.hypot(*particles["Velocity"][3 * i:3 * i + 3]) for i in water))
+        return {"pressure": norms.rms(wrong), "speed": norms.rms(speeds) / math.sqrt(GRAVITY * layers[-1][0]),
+                "creep": self.creep(files)}
+
+    @staticmethod
+    def creep(files):
+        """Root mean square way of the sediment from first to last snapshot [m]."""
+        first, last = (arrays(file, {"Type", "Points", "Id"}) for file in (files[0], files[-1]))
+        begun = {first["Id"][i]: first["Points"][3 * i:3 * i + 3] for i in of_fluid(first) if first["Type"][i] == SEDIMENT}
+        return norms.rms(math.dist(begun[last["Id"][i]], last["Points"][3 * i:3 * i + 3])
+                         for i in of_fluid(last) if last["Type"][i] == SEDIMENT)
+
+
+class DamBreak:
+    """Front of a collapsing column, against the mean of four measured series (cases/dam_break/README.md)."""
+
+    start = None
+    width = 0.1  # [m]
+
+    def fronts(self, run):
+        """Over the column's width: half a spacing beyond the third foremost particle, as tests/solver/dam_break_test.cpp."""
+        spacing = quantity(resolved(run.folder)["numerics"]["spacing"])
+        times = [row["t_star"] for row in read_table(ROOT / "cases/dam_break/reference/front.csv")]
+        by_time = {}
+        for file in snapshots(run.folder):
+            found = arrays(file, {"Type", "Points", "TimeValue"})
+            by_time[found["TimeValue"][0] * math.sqrt(2 * GRAVITY / self.width)] = file
+        fronts = []
+        for t_star in times:
+            particles = arrays(by_time[min(by_time, key=lambda t: abs(t - t_star))], {"Type", "Points"})
+            x = sorted(particles["Points"][3 * i] for i in of_fluid(particles))
+            fronts.append((x[-3] + spacing / 2) / self.width)
+        return fronts
+
+    def errors(self, run, finest=None):
+        rows = read_table(ROOT / "cases/dam_break/reference/front.csv")
+        series = [[value for key, value in row.items() if key.startswith(("martin", "koshizuka"))] for row in rows]
+        measured = [sum(values) / len(values) for values in series]
+        fronts = self.fronts(run)
+        found = {"front": norms.rms(x / m - 1 for x, m in zip(fronts, measured))}
+        if finest:
+            found["from the finest"] = norms.rms(x - f for x, f in zip(fronts, self.fronts(finest)))
+        return found
+
+
+class Gauges:
+    """What gauges of a run read, as columns over time."""
+
+    def __init__(self, run):
+        self.rows = read_table(run.folder / "gauges.csv")
+
+    def series(self, column, per_time=1.0, per_value=1.0):
+        return [(row["time"] / per_time, row[column] / per_value if isinstance(row[column], float) else 0.0)
+                for row in self.rows]
+
+    def at(self, column, time):
+        """The value at the row nearest to the time; 0 where there was none."""
+        return min(self.series(column), key=lambda point: abs(point[0] - time))[1]
+
+
+class Impact:
+    """Pressures of a dam break on the far wall (reference/lobovsky_impact.csv), over rho g H."""
+
+    start = None
+    depth = 0.3  # [m]
+    table = ROOT / "bench/speed_vs_error/reference/lobovsky_impact.csv"
+    arrival = 2.427  # [-] of the first sensor, t sqrt(g/H)
+
+    def pressures(self, run):
+        gauges = Gauges(run)
+        time, pressure = math.sqrt(self.depth / GRAVITY), 1000 * GRAVITY * self.depth
+        return [norms.mean_between(gauges.series(f"{sensor}.pressure", time, pressure), row["from"], row["to"])
+                for row in read_table(self.table) for sensor in ("p1", "p3", "p4")]
+
+    def errors(self, run, finest=None):
+        measured = [row[sensor] for row in read_table(self.table) for sensor in ("p1", "p3", "p4")]
+        time, pressure = math.sqrt(self.depth / GRAVITY), 1000 * GRAVITY * self.depth
+        first = Gauges(run).series("p1.pressure", time, pressure)
+        arrival = next((t for t, p in first if p > 0.2), math.inf)
+        return {"pressure": norms.rms(p - m for p, m in zip(self.pressures(run), measured)),
+                "arrival": abs(arrival - self.arrival)}
+
+
+class Box:
+    """Heights over the depth, and pressures over rho g H, of SPHERIC's dam break against a box (cases/spheric02)."""
+
+    start = None
+    depth = 0.55  # [m]
+    reference = ROOT / "cases/spheric02/reference"
+
+    def errors(self, run, finest=None):
+        gauges = Gauges(run)
+        heights = [gauges.at(f"{probe}.level", row["time"]) - row[probe]
+                   for row in read_table(self.reference / "heights.csv") for probe in ("h1", "h2", "h3", "h4")]
+        scale = 1000 * GRAVITY * self.depth
+        wrong = [norms.mean_between(gauges.series(f"{sensor}.pressure"), row["from"], row["to"]) - row[sensor]
+                 for row in read_table(self.reference / "pressures.csv") for sensor in ("p1", "p2", "p3", "p4")]
+        return {"height": norms.rms(heights) / self.depth,
+                "pressure": norms.rms(wrong) / scale}
+
+
+class Louvain:
+    """Nothing measured: root mean squares [m] of the profiles over four times, from the finest run's."""
+
+    start = None
+
+    def errors(self, run, finest=None):
+        if not finest:
+            return {}
+        found = run.profile_distances([finest])
+        return {name: norms.rms(distance for (_, curve, _), distance in found.items() if curve == whole)
+                for name, whole in (("bed", "bed"), ("surface", "free_surface"))}
+
+
+PROBLEMS = {"poiseuille": Slot(), "taylor_green": Vortex(), "taylor_green_100": Vortex(), "taylor_green_slab": Vortex(),
+            "still_water": Still(), "dam_break": DamBreak(), "impact": Impact(), "spheric02": Box(), "louvain": Louvain()}

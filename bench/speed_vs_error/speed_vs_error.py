@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""Error against seconds: what each choice of the numerics costs, and how far its results lie from a known answer.
+
+Runs the table matrix.toml: each problem at several spacings, with one key of the numerics changed at a time, and with every
+combination of a few. Whatever is there already is kept, so that a matrix that was stopped goes on where it was; runs that failed
+are tried again with --again. Then writes points.csv and a picture a problem to OUT, with the Pareto front marked, and, with --page,
+a page of documentation with the pictures in images/ beside it and, with --record, tables for bench/results.
+
+Seconds are the solver's own CPU seconds of one thread. Errors are distances from closed forms, from measurements, or from the
+finest run (problems.py).
+"""
+
+import argparse
+import datetime
+import itertools
+import pathlib
+import shlex
+import shutil
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "bench"))
+
+from page import draw_problem, measured, page, summary_lines
+from problems import PROBLEMS, resolved
+from study import origin, runs
+from study.tables import write_table
+
+SHOWN = ("numerics.smoothing_ratio", "numerics.cfl", "numerics.sound_speed_factor", "numerics.density_diffusion",
+         "numerics.artificial_viscosity", "numerics.viscosity", "numerics.viscous_tolerance", "model.rest",
+         "numerics.precision", "numerics.integrator", "numerics.accuracy")  # columns of points.csv
+
+
+def value_of(case, key):
+    """Of a key like "numerics.cfl" in a resolved case; None if the program that wrote it does not know the key."""
+    for name in key.split("."):
+        case = case.get(name, {})
+    return None if case == {} else case
+
+
+def written(value):
+    """As --set takes it."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+class Point:
+    """One run of one problem: a spacing, and the keys that are changed."""
+
+    def __init__(self, matrix, problem, group, spacing, changes=None):
+        self.problem, self.group, self.spacing, self.changes = problem, group, spacing, dict(changes or {})
+        settings = [f'numerics.spacing="{spacing}"', *problem.get("set", []),
+                    *(f"{key}={written(value)}" for key, value in self.changes.items())]
+        label = " ".join([problem["name"], spacing, *(f"{key} {written(value)}" for key, value in self.changes.items())])
+        self.run = runs.Run(matrix.thalweg, matrix.out / "runs", ROOT / problem["case"], label, settings)
+        self.failure = None
+
+    def compute(self, again):
+        """Computes the run unless it is there; a failed one counts as there, and its reason is kept."""
+        failed = self.run.folder / "failed.txt"
+        if failed.exists() and not again:
+            settings, _, reason = failed.read_text(encoding="utf-8").partition("\n")
+            if settings == str(self.run.settings):
+                self.failure = reason
+                return
+        try:
+            self.run.compute(PROBLEMS[self.problem["name"]].start, postproc=self.problem["name"] == "louvain")
+        except RuntimeError as error:
+            told = [line for line in str(error).splitlines() if "error" in line]
+            self.failure = (told or str(error).splitlines())[-1].split("error: ")[-1].replace(f"{self.run.folder}/", "")
+            self.run.folder.mkdir(parents=True, exist_ok=True)
+            failed.write_text(f"{self.run.settings}\n{self.failure}", encoding="utf-8")
+            print(f"failed: {self.run.name}: {self.failure}", flush=True)
+
+    def there(self):
+        return self.run.complete() or self.failure is not None
+
+    def row(self, errors):
+        """The point as a line of points.csv."""
+        case = resolved(self.run.folder) if self.run.complete() else {}
+        row = {"problem": self.problem["name"], "group": self.group, "spacing": self.spacing,
+               "changed": " ".join(f"{key.split('.')[-1]}={written(value)}" for key, value in self.changes.items())}
+        row |= {key: "" if value_of(case, key) is None else written(value_of(case, key)) for key in SHOWN}
+        if self.failure is not None:
+            return row | {"measure": "", "error": "", "further": "", "cpu [s]": "", "steps [-]": "", "particles [-]": "",
+                          "pairs [1e9]": "", "particle-steps per CPU s [1/s]": "", "failure": self.failure}
+        cpu, steps, particles = (self.run.cpu_seconds(), self.run.summary("steps"), self.run.summary("fluid_particles"))
+        pairs = steps * particles * self.run.summary("neighbours_mean") / 1e9
+        measure = self.problem["measure"]
+        further = "; ".join(f"{name}={value:.4g}" for name, value in errors.items() if name != measure)
+        return row | {"measure": measure, "error": f"{errors[measure]:.5g}" if measure in errors else "",
+                      "further": further, "cpu [s]": f"{cpu:.3f}", "steps [-]": int(steps), "particles [-]": int(particles),
+                      "pairs [1e9]": f"{pairs:.4g}",
+                      "particle-steps per CPU s [1/s]": f"{steps * particles / max(cpu, 1e-3):.3g}", "failure": ""}
+
+
+class Matrix:
+    """All points of the table, each run once however often the table names it."""
+
+    def __init__(self, thalweg, out, table, only=None, quick=False):
+        self.thalweg, self.out, self.table = pathlib.Path(thalweg).resolve(), pathlib.Path(out).resolve(), table
+        names = only or (table["quick"] if quick else [problem["name"] for problem in table["problem"]])
+        self.problems = [problem for problem in table["problem"] if problem["name"] in names]
+        if quick:
+            self.problems = [self.small(problem) for problem in self.problems]
+        self.unknown, self.points = set(), []
+        for problem in self.problems:
+            self.points += self.points_of(problem)
+
+    @staticmethod
+    def small(problem):
+        """The problem at its two coarsest spacings, the next as the reference where one is needed."""
+        coarsest = problem["spacings"][:2]
+        expected = {key: value for key, value in problem["expected"].items() if key != "error"}  # that is of another spacing
+        fewer = problem | {"spacings": coarsest, "base": coarsest[0], "product": [], "expected": expected,
+                           "axes": ["numerics.smoothing_ratio", "numerics.cfl"]}
+        return fewer | ({"finest": problem["spacings"][2]} if "finest" in problem else {})
+
+    def defaults(self, problem):
+        """The case with nothing changed but what the problem sets, resolved by the program."""
+        start = Point(self, problem, "", problem["base"])
+        folder = self.out / "defaults" / problem["name"]
+        shutil.rmtree(folder, ignore_errors=True)
+        overrides = [text for setting in start.run.settings for text in ("--set", setting)]
+        runs.call(self.thalweg, "gencase", start.run.case, "--out", folder, *overrides)
+        return resolved(folder)
+
+    def points_of(self, problem):
+        usual = self.defaults(problem)
+
+        def changed(keys, values):
+            """Without those that are as the case has them."""
+            return {key: value for key, value in zip(keys, values) if written(value_of(usual, key)) != written(value)
+                    and value_of(usual, key) != value}
+
+        points = [Point(self, problem, "spacing", spacing) for spacing in problem["spacings"]]
+        if "finest" in problem:
+            points.append(Point(self, problem, "finest", problem["finest"]))
+        for axis in self.table["axis"]:
+            key = axis["key"]
+            wanted = axis.get("always", False) or key in problem.get("axes", [key])
+            here = problem["name"] in axis.get("problems", [problem["name"]]) and wanted
+            if not here:
+                continue
+            if value_of(usual, key) is None:
+                self.unknown.add(key)
+                continue
+            for value in axis["values"]:
+                if changes := changed([key], [value]):
+                    points.append(Point(self, problem, key, axis.get("at", problem["base"]), changes))
+        keys = self.table["product"].keys()
+        for spacing, *values in itertools.product(problem.get("product", []), *self.table["product"].values()):
+            points.append(Point(self, problem, "product", spacing, changed(keys, values)))
+        once = {}
+        for point in points:
+            once.setdefault(point.run.name, point)
+        return list(once.values())
+
+    def compute(self, jobs, again):
+        runs.compute_all(self.points, jobs, lambda point: point.compute(again))
+
+    def rows(self):
+        """What is there, as the lines of points.csv."""
+        rows = []
+        for problem in self.problems:
+            points = [point for point in self.points if point.problem is problem and point.there()]
+            finest = next((point.run for point in points if point.group == "finest" and point.run.complete()), None)
+            for point in points:
+                is_finest = finest is point.run
+                errors = {} if point.failure is not None else PROBLEMS[problem["name"]].errors(
+                    point.run, None if is_finest else finest)
+                rows.append(point.row(errors))
+        return rows
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("thalweg", help="the program, for example build/release/bin/thalweg")
+    arguments.add_argument("--out", default="out/speed_vs_error", help="where runs and results go (default: %(default)s)")
+    arguments.add_argument("--table", default=pathlib.Path(__file__).with_name("matrix.toml"), help="what is run")
+    arguments.add_argument("--only", action="append", metavar="PROBLEM", help="this problem; may be given several times")
+    arguments.add_argument("--quick", action="store_true", help="a few cheap problems at two coarse spacings: under three minutes")
+    arguments.add_argument("--jobs", type=int, default=1, help="runs at a time, one thread each (default: %(default)s)")
+    arguments.add_argument("--again", action="store_true", help="tries again what failed")
+    arguments.add_argument("--collect", action="store_true", help="runs nothing: tables and pictures of what is there")
+    arguments.add_argument("--page", type=pathlib.Path, help="page to write, its pictures in images/ beside it")
+    arguments.add_argument("--record", type=pathlib.Path, help="folder for DATE-speed-vs-error.csv and .md")
+    given = arguments.parse_args()
+
+    table = tomllib.loads(pathlib.Path(given.table).read_text(encoding="utf-8"))
+    known = [problem["name"] for problem in table["problem"]]
+    if wrong := set(given.only or []) - set(known):
+        arguments.error(f"--only: there is no problem {', '.join(sorted(wrong))}; there are {', '.join(known)}")
+    matrix = Matrix(given.thalweg, given.out, table, given.only, given.quick)
+    for key in sorted(matrix.unknown):
+        print(f"left out: {key}, which this program does not know", flush=True)
+    if not given.collect:
+        matrix.compute(given.jobs, given.again)
+
+    words = [word for word in sys.argv[1:] if word not in ("--collect", "--again")]
+    command = shlex.join(["bench/speed_vs_error/speed_vs_error.py", *words])
+    made = f"{origin.processor()}; load {origin.load():.1f} when written\ncommit {origin.commit()}\n{command}"
+    rows = matrix.rows()
+    if not rows:
+        sys.exit("no run is there yet; leave --collect out")
+    write_table(matrix.out / "points.csv", rows, made)
+    drawn = [problem for problem in matrix.problems if measured(rows, problem)]
+    for problem in drawn:
+        draw_problem(problem, rows, table.get("recorded", []), matrix.out)
+    if given.page:
+        images = given.page.parent / "images"
+        images.mkdir(parents=True, exist_ok=True)
+        for problem in drawn:
+            shutil.copy(matrix.out / f"speed_vs_error_{problem['name']}.svg", images)
+        given.page.write_text(page(drawn, rows, made, matrix.unknown), encoding="utf-8")
+    if given.record:
+        name = f"{datetime.date.today():%Y-%m-%d}-speed-vs-error"
+        shutil.copy(matrix.out / "points.csv", given.record / f"{name}.csv")
+        (given.record / f"{name}.md").write_text("\n".join(summary_lines(drawn, rows, made, f"{name}.csv")),
+                                                 encoding="utf-8")
+    print(f"{matrix.out / 'points.csv'} and a picture a problem")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit("stopped; the same command goes on from here")
