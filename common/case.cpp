@@ -14,13 +14,12 @@ Numerics numerics_at(Accuracy accuracy) {
   numerics.accuracy = accuracy;
   switch (accuracy) {
     case Accuracy::draft:
-      numerics.cfl = 0.5;
+      numerics.cfl = 0.7;
       numerics.sound_speed_factor = 7;
       break;
     case Accuracy::standard:
       break;
     case Accuracy::fine:
-      numerics.smoothing_ratio = 1.8;
       numerics.sound_speed_factor = 20;
       break;
   }

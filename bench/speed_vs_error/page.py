@@ -204,7 +204,7 @@ def cost_lines(rows):
 def summary_lines(problems, rows, made, table):
     """The record: who measured what where, the expectations and the overview."""
     yield from ["# Error against seconds", ""]
-    yield from (f"{line}  " for line in made.splitlines())
+    yield from (f"- {line}" for line in made.splitlines())
     yield from ["", *cost_lines(rows), f"Every point: `{table}`. Error / CPU seconds over those of the case as it is:", ""]
     yield from overview_table(rows, problems)
     yield from ["", "Expected before it was run, and found:", ""]
@@ -219,7 +219,7 @@ def page(problems, rows, made, unknown):
              f"Machine: {machine}. Programs: {commit}. Command:", "", f"    {command}", "", *cost_lines(rows)]
     if unknown:
         lines.append(f"Left out, because the program did not know the key: {', '.join(sorted(unknown))}.")
-    lines += ["", "## Expected and found", "", "Written down before the matrix was run (`bench/speed_vs_error/matrix.toml`):", "",
+    lines += ["", "## Expected and found", "", "Written down before the matrix was run, after trials of single points (`bench/speed_vs_error/matrix.toml`):", "",
               *expectation_table(rows, problems), "", "## Draft, standard, fine", "",
               "`numerics.accuracy` sets the defaults of other keys (`thalweg explain accuracy`). Error and CPU seconds at one spacing:",
               "", *accuracy_table(rows, problems), "", "## What each choice does", "",

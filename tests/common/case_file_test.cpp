@@ -306,7 +306,6 @@ TEST(Accuracy, SetsDefaultsThatTheCaseMayStillChange) {
   EXPECT_EQ(mixed.sound_speed_factor, draft.sound_speed_factor);
   const Numerics fine = read_case(good_case, {"numerics.accuracy=fine"}).numerics;
   EXPECT_GT(fine.sound_speed_factor, usual.sound_speed_factor);
-  EXPECT_GT(fine.smoothing_ratio, usual.smoothing_ratio);
 }
 
 TEST(Accuracy, ComesTooLateForAResolvedCase) {
