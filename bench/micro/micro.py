@@ -23,6 +23,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LANES = {"avx512": 16, "avx2": 8, "baseline": 4}
 NEEDS = {"avx512": {"avx512f", "avx512dq", "avx512vl", "avx512bw"}, "avx2": {"avx2", "fma"}, "baseline": set()}
+# What Google Benchmark says of a run beside its results.
+BOOKKEEPING = {"family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "repetition_index", "threads",
+               "real_time", "time_unit"}
 SWEEPS = {
     r"ContinuitySweep<": "density rate",
     r"ContinuityAndStrainSweep<": "density rate and strain",
@@ -52,7 +55,7 @@ def run(program, repetitions, seconds, chosen):
         if row["run_type"] == "iteration":
             name = row["name"]
             if name not in best or row["cpu_time"] < best[name]["cpu_time"]:
-                best[name] = row
+                best[name] = {key: value for key, value in row.items() if key not in BOOKKEEPING}
     return best
 
 
