@@ -5,6 +5,7 @@
 #endif
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <vector>
@@ -25,6 +26,7 @@ struct CacheLineAllocator {
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
   T* allocate(std::size_t n) {
+    if (n > (PTRDIFF_MAX - large_page) / sizeof(T)) throw std::bad_alloc();
     const std::size_t unit = n * sizeof(T) < 2 * large_page ? line : large_page;
     const std::size_t bytes = (n * sizeof(T) + unit - 1) / unit * unit;
     void* memory = std::aligned_alloc(unit, bytes == 0 ? line : bytes);
