@@ -212,14 +212,15 @@ def summary_lines(problems, rows, made, table):
     yield ""
 
 
-def page(problems, rows, made, unknown):
+def page(problems, rows, made, left_out):
     """The page of documentation: the discussion, then tables and pictures as they were made."""
     machine, commit, command = made.splitlines()
     lines = ["# Speed against error", "", DISCUSSION.read_text(encoding="utf-8").rstrip(), "", "## How it was measured", "",
              f"Machine: {machine}. Programs: {commit}. Command:", "", f"    {command}", "", *cost_lines(rows)]
-    if unknown:
-        lines.append(f"Left out, because the program did not know the key: {', '.join(sorted(unknown))}.")
-    lines += ["", "## Expected and found", "", "Written down before the matrix was run, after trials of single points (`bench/speed_vs_error/matrix.toml`):", "",
+    if left_out:
+        lines.append(f"Left out or not run yet: {'; '.join(left_out)}.")
+    lines += ["", "## Expected and found", "",
+              "Written down before the matrix was run, after trials of single points (`bench/speed_vs_error/matrix.toml`):", "",
               *expectation_table(rows, problems), "", "## Draft, standard, fine", "",
               "`numerics.accuracy` sets the defaults of other keys (`thalweg explain accuracy`). Error and CPU seconds at one spacing:",
               "", *accuracy_table(rows, problems), "", "## What each choice does", "",

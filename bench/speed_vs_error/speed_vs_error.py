@@ -159,6 +159,11 @@ class Matrix:
     def compute(self, jobs, again):
         runs.compute_all(self.points, jobs, lambda point: point.compute(again))
 
+    def left_out(self):
+        """What the table names and no row shows: keys that the program does not know, points that were not run yet."""
+        return [f"{key} (unknown to the program)" for key in sorted(self.unknown)] + [
+            point.run.name for point in self.points if not point.there()]
+
     def rows(self):
         """What is there, as the lines of points.csv."""
         rows = []
@@ -184,7 +189,8 @@ def main():
     arguments.add_argument("--again", action="store_true", help="tries again what failed")
     arguments.add_argument("--collect", action="store_true", help="runs nothing: tables and pictures of what is there")
     arguments.add_argument("--page", type=pathlib.Path, help="page to write, its pictures in images/ beside it")
-    arguments.add_argument("--record", type=pathlib.Path, help="folder for DATE-speed-vs-error.csv and .md")
+    arguments.add_argument("--record", type=pathlib.Path,
+                           help="folder for DATE-speed-vs-error.csv and .md, with --quick DATE-speed-vs-error-quick")
     given = arguments.parse_args()
 
     table = tomllib.loads(pathlib.Path(given.table).read_text(encoding="utf-8"))
@@ -212,9 +218,10 @@ def main():
         images.mkdir(parents=True, exist_ok=True)
         for problem in drawn:
             shutil.copy(matrix.out / f"speed_vs_error_{problem['name']}.svg", images)
-        given.page.write_text(page(drawn, rows, made, matrix.unknown), encoding="utf-8")
+        given.page.write_text(page(drawn, rows, made, matrix.left_out()), encoding="utf-8")
     if given.record:
-        name = f"{datetime.date.today():%Y-%m-%d}-speed-vs-error"
+        part = "-quick" if given.quick else ""
+        name = f"{datetime.date.today():%Y-%m-%d}-speed-vs-error{part}"
         shutil.copy(matrix.out / "points.csv", given.record / f"{name}.csv")
         (given.record / f"{name}.md").write_text("\n".join(summary_lines(drawn, rows, made, f"{name}.csv")),
                                                  encoding="utf-8")
