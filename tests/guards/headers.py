@@ -40,8 +40,11 @@ def flags_by_room(root, build):
             continue
         compiler, flags = flags_of(entry["command"])
         room = rooms.setdefault(path.relative_to(root).parts[0], (compiler, {}))
-        room[1].update(dict.fromkeys(pair_up(flags)))
-    return {room: (compiler, [word for pair in pairs for word in pair]) for room, (compiler, pairs) in rooms.items()}
+        for words in pair_up(flags):
+            macro = words[-1].removeprefix("-D").split("=")[0]  # units may give one macro several values
+            room[1].setdefault(macro if words[0].startswith("-D") else words, words)
+    return {room: (compiler, [word for words in kept.values() for word in words])
+            for room, (compiler, kept) in rooms.items()}
 
 
 def pair_up(flags):
