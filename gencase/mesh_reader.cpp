@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -59,24 +58,9 @@ void check_stl(const std::string& bytes) {
   check_count("facets", facets, static_cast<double>(bytes.size()) - 84, 50);
 }
 
-/// CGAL's reader of OFF takes colours from where the first point has them; fuzzing found that it reads beyond the end of
-/// a point's line that is shorter.
-void check_coloured_points(const std::vector<std::vector<std::string>>& lines, std::size_t points) {
-  std::size_t header_words = 0;
-  std::size_t first = 0;
-  while (first < lines.size() && header_words < 3) header_words += lines[first++].size();
-  for (std::size_t i = first; i < std::min(first + points, lines.size()); ++i) {
-    const bool numbers = std::all_of(lines[i].begin(), lines[i].end(), [](const std::string& word) {
-      char* end = nullptr;
-      std::strtod(word.c_str(), &end);
-      return end == word.c_str() + word.size();
-    });
-    if (!numbers || lines[i].size() != lines[first].size() || lines[i].size() < 6)
-      throw InputError("has points whose colours are incomplete; export it without colours");
-  }
-}
-
-void check_off(const std::string& bytes) {
+/// Checks, and leaves colours and normals of the points away: CGAL's reader takes them from where the first point has
+/// them, and fuzzing found that it reads beyond the end of a shorter line.
+std::string checked_off(const std::string& bytes) {
   // The word, then the counts, on the same line or another one; comments anywhere.
   std::istringstream text(bytes);
   std::vector<std::vector<std::string>> lines;  // those with words
@@ -96,13 +80,22 @@ void check_off(const std::string& bytes) {
     throw InputError("is no OFF file: the word OFF and the counts of points and faces are missing; export it again");
   const auto size = static_cast<double>(bytes.size());
   check_count("points and faces", std::stod(words[1]) + std::stod(words[2]), size, 4);
-  if (words[0][0] == 'C') check_coloured_points(lines, static_cast<std::size_t>(std::stod(words[1])));
   // Behind the points stand numbers of corners, their indices and colours: none is larger than the file.
   const auto points_end = 4 + 3 * static_cast<std::size_t>(std::stod(words[1]));
   for (std::size_t i = points_end; i < words.size(); ++i) {
     const std::string digits = words[i].substr(0, words[i].find_first_not_of("0123456789"));
     if (!digits.empty()) check_count("corners", std::stod(digits), size, 1);
   }
+  if (words[0] == "OFF") return bytes;
+  std::size_t line = 0;
+  for (std::size_t header = 0; header < 3; ++line) header += lines[line].size();
+  const std::size_t faces = line + static_cast<std::size_t>(std::stod(words[1]));
+  std::string plain = fmt::format("OFF\n{} {} 0\n", words[1], words[2]);
+  for (; line < lines.size(); ++line) {
+    const std::size_t kept = line < faces ? std::min<std::size_t>(3, lines[line].size()) : lines[line].size();
+    plain += fmt::format("{}\n", fmt::join(lines[line].begin(), lines[line].begin() + static_cast<int>(kept), " "));
+  }
+  return plain;
 }
 
 /// CGAL's reader of PLY trusts the header; fuzzing found that it crashes on a property before any element.
@@ -216,11 +209,11 @@ bool cut_first_to_third(const std::array<Vec3, 4>& p) {
 }  // namespace
 
 PolygonSoup read_mesh(std::istream& from, MeshFormat format) {
-  const std::string bytes = contents_of(from);
+  std::string bytes = contents_of(from);
   if (bytes.empty()) throw InputError("is empty; export it again");
   if (format == MeshFormat::stl) check_stl(bytes);
   if (format == MeshFormat::obj) check_obj(bytes);
-  if (format == MeshFormat::off) check_off(bytes);
+  if (format == MeshFormat::off) bytes = checked_off(bytes);
   if (format == MeshFormat::ply) check_ply(bytes);
   Points points;
   PolygonSoup soup;
