@@ -80,22 +80,24 @@ std::string checked_off(const std::string& bytes) {
     throw InputError("is no OFF file: the word OFF and the counts of points and faces are missing; export it again");
   const auto size = static_cast<double>(bytes.size());
   check_count("points and faces", std::stod(words[1]) + std::stod(words[2]), size, 4);
+  if (words[0] != "OFF") {
+    std::size_t line = 0;
+    for (std::size_t header = 0; header < 3; ++line) header += lines[line].size();
+    const std::size_t faces = line + static_cast<std::size_t>(std::stod(words[1]));
+    std::string plain = fmt::format("OFF\n{} {} 0\n", words[1], words[2]);
+    for (; line < lines.size(); ++line) {
+      const std::size_t kept = line < faces ? std::min<std::size_t>(3, lines[line].size()) : lines[line].size();
+      plain += fmt::format("{}\n", fmt::join(lines[line].begin(), lines[line].begin() + static_cast<int>(kept), " "));
+    }
+    return checked_off(plain);
+  }
   // Behind the points stand numbers of corners, their indices and colours: none is larger than the file.
   const auto points_end = 4 + 3 * static_cast<std::size_t>(std::stod(words[1]));
   for (std::size_t i = points_end; i < words.size(); ++i) {
     const std::string digits = words[i].substr(0, words[i].find_first_not_of("0123456789"));
     if (!digits.empty()) check_count("corners", std::stod(digits), size, 1);
   }
-  if (words[0] == "OFF") return bytes;
-  std::size_t line = 0;
-  for (std::size_t header = 0; header < 3; ++line) header += lines[line].size();
-  const std::size_t faces = line + static_cast<std::size_t>(std::stod(words[1]));
-  std::string plain = fmt::format("OFF\n{} {} 0\n", words[1], words[2]);
-  for (; line < lines.size(); ++line) {
-    const std::size_t kept = line < faces ? std::min<std::size_t>(3, lines[line].size()) : lines[line].size();
-    plain += fmt::format("{}\n", fmt::join(lines[line].begin(), lines[line].begin() + static_cast<int>(kept), " "));
-  }
-  return plain;
+  return bytes;
 }
 
 /// CGAL's reader of PLY trusts the header; fuzzing found that it crashes on a property before any element.
