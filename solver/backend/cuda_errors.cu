@@ -70,7 +70,7 @@ std::string cuda_problem() {
   if (devices == 0) return reason(cudaErrorNoDevice);
   try {
     // The first kernel tells whether there is code for this device.
-    CudaRuntime::launch(1, Nothing{});
+    CudaRuntime::launch(1, Nothing{}, nullptr);
     CudaRuntime::wait();
   } catch (const RunError& e) {
     return e.what();

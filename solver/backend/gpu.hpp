@@ -100,7 +100,7 @@ HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Record* reco
 }
 
 /// What a sweep's end() returns if it returns nothing.
-struct Nothing {};
+struct NoResult {};
 
 /// The pair sweep of one thread: particle n % 4 of the n/4-th cluster visited. The four threads of a cluster walk the
 /// same list, so that a neighbour's record is fetched once for all of them. Result is what end() returns; a thread
@@ -128,7 +128,7 @@ struct SweepThread {
       s.r2 = dot(s.r, s.r);
       body.pair(a, b, s, std::size_t{e} * cluster_size + n % cluster_size, sum);
     }
-    if constexpr (std::is_same_v<Result, Nothing>) {
+    if constexpr (std::is_same_v<Result, NoResult>) {
       body.end(i, sum);
       return none;
     } else {
@@ -289,7 +289,7 @@ class Gpu {
   void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
              const Body& body) const {
     Runtime::launch(range.count * cluster_size,
-                    SweepThread<Dim, Body, Nothing>{list, range, records, quantum, body, {}}, flag_);
+                    SweepThread<Dim, Body, NoResult>{list, range, records, quantum, body, {}}, flag_);
   }
   template <int Dim, class Body, class T, class Combine, class Then>
   void sweep_then(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
