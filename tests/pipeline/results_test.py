@@ -189,7 +189,8 @@ class MeshModels(unittest.TestCase):
                                      key=lambda row: row["resolution [m]"])
             self.assertIsNone(finest["error_bed [m]"])
             self.assertGreater(coarser["error_bed [m]"], 0)
-            self.assertGreater(finest["cpu [s]"], coarser["cpu [s]"])
+            for run in (finest, coarser):  # which took longer is chance: both are over in a second
+                self.assertGreater(run["cpu [s]"], 0)
 
 
 class Report(unittest.TestCase):
