@@ -146,9 +146,9 @@ struct CudaRuntime {
   static T with_result(const Work& work) {
     static_assert(sizeof(T) <= largest_result && std::is_trivially_copyable_v<T>);
     work(static_cast<T*>(memory().result));
-    copy(memory().result_on_host, memory().result, sizeof(T), cudaMemcpyDeviceToHost);
-    wait();
-    return *static_cast<const T*>(memory().result_on_host);
+    T result;
+    copy_to_host(&result, memory().result, sizeof(T));
+    return result;
   }
 
   /// Launches kept as a CUDA graph: one launch in place of many, which is what a step of a small scene consists of.

@@ -15,10 +15,11 @@
 // but the device (tests/solver/guarded_runtime.hpp). A Runtime offers
 //
 //   allocate, release, copy_to_device, copy_to_host, copy_on_device     memory, in bytes
-//   send                                                                a few bytes to the device, without waiting
-//   Mark, copy_to_host_after(mark, …)                                   in another thread, beside what is asked for
-//   since launch(n, body, flag), reduce(…, then, flag), scan, select, sort    what Gpu hands on Recording:
-//   record(what), replay()                                   launches as one wait, atomic_add
+//   send                                  a few bytes to the device, without waiting
+//   Mark, copy_to_host_after(mark, ...)   in another thread, beside what is asked for after the mark
+//   launch, reduce, scan, select, sort    what Gpu hands on; launch and reduce heed a flag on the device
+//   Recording: record(what), replay()     launches kept and asked for again as one
+//   wait, atomic_add
 namespace thalweg {
 
 /// An array in the memory of a device. Contents are kept when it grows; new entries are uninitialised.
