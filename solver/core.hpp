@@ -239,7 +239,9 @@ class SimulationOn final : public Simulation {
         p_.count * (sizeof(float) + sizeof(std::int64_t) + 1 + sizeof(Rates) + sizeof(Place)) +
         p_.motion.size() * sizeof(Index) + p_.moved_from.size() * sizeof(Position) +
         p_.sediment.size() * sizeof(Sediment) + p_.bed.size() * sizeof(BedSurface) +
-        p_.list_entries.size() * sizeof(Index) + work_.viscous.coefficient.size() * sizeof(float) +
+        p_.list_entries.size() * sizeof(Index) +
+        work_.viscous.coefficient.size() * sizeof(typename Device::PairCoefficient) +
+        work_.viscous.vectors.size() * sizeof(Vectors) +
         work_.viscous.row.size() * sizeof(typename ViscousSystem<Device>::Row) +
         work_.mixture.pores.size() * sizeof(PoreState) +
         (p_.excess_pore_pressure.size() + work_.pore_diffusion.loss.size() + work_.pore_diffusion.before.size()) *

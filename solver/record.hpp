@@ -38,6 +38,12 @@ struct alignas(64) Record {
 };
 static_assert(sizeof(Record) == 64);
 
+/// What a sweep reads of a particle in place of a record if the vectors of an iteration are all it needs: four of them
+/// share a cache line.
+struct alignas(16) Vectors {
+  float work[4];
+};
+
 /// Quads of a record a sweep can ask for.
 enum Quads : unsigned { quad_place = 1, quad_motion = 2, quad_matter = 4, quad_work = 8 };
 

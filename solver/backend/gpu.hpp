@@ -100,17 +100,24 @@ HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Record* reco
   return lane;
 }
 
+template <int Dim, unsigned quads>
+HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Vectors* vectors) {
+  Lane<Dim, float, std::int32_t> lane{};
+  for (int k = 0; k < Dim; ++k) lane.work[k] = vectors->work[axis<Dim>(k)];
+  return lane;
+}
+
 /// What a sweep's end() returns if it returns nothing.
 struct NoResult {};
 
 /// The pair sweep of one thread: particle n % 4 of the n/4-th cluster visited. The four threads of a cluster walk the
 /// same list, so that a neighbour's record is fetched once for all of them. Result is what end() returns; a thread
 /// without a particle returns `none`.
-template <int Dim, class Body, class Result>
+template <int Dim, class From, class Body, class Result>
 struct SweepThread {
   ClusterList list;
   ClusterRange range;
-  const Record* records;
+  const From* records;
   Vec<Dim, float> quantum;
   Body body;
   Result none;
@@ -167,6 +174,7 @@ template <class Runtime>
 class Gpu {
  public:
   static constexpr bool stores_coefficients = false;
+  using PairCoefficient = ShortFloat;
   static constexpr bool is_host = false;
   template <class T>
   using Buffer = DeviceBuffer<T, Runtime>;
@@ -286,17 +294,17 @@ class Gpu {
     buffer.swap(scratch);
   }
 
-  template <int Dim, class Body>
-  void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+  template <int Dim, class From, class Body>
+  void sweep(const ClusterList& list, ClusterRange range, const From* records, const Vec<Dim, float>& quantum,
              const Body& body) const {
     Runtime::launch(range.count * cluster_size,
-                    SweepThread<Dim, Body, NoResult>{list, range, records, quantum, body, {}}, flag_);
+                    SweepThread<Dim, From, Body, NoResult>{list, range, records, quantum, body, {}}, flag_);
   }
-  template <int Dim, class Body, class T, class Combine, class Then>
-  void sweep_then(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+  template <int Dim, class From, class Body, class T, class Combine, class Then>
+  void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const Vec<Dim, float>& quantum,
                   const Body& body, const T& start, const Combine& combine, const Then& then) const {
     Runtime::reduce(range.count * cluster_size, start,
-                    SweepThread<Dim, Body, T>{list, range, records, quantum, body, start}, combine, then, flag_);
+                    SweepThread<Dim, From, Body, T>{list, range, records, quantum, body, start}, combine, then, flag_);
   }
 
  private:

@@ -28,6 +28,7 @@ struct OpenMp {
   /// Whether sweeps of an iteration keep what they know of a pair or compute it again: memory is plentiful here and
   /// arithmetic is not, on a GPU the other way round.
   static constexpr bool stores_coefficients = true;
+  using PairCoefficient = std::conditional_t<sizeof(Real) == sizeof(float), ShortFloat, float>;
   template <class T>
   using Buffer = HostBuffer<T>;
 
@@ -216,9 +217,10 @@ struct OpenMp {
   ///                                               one (these, of a pack) at `entry` (lane_load, lane_store)
   ///   end(i, Sum<float>)                          once a particle; in Sum<Real> if it can take it
   ///
+  /// From Vectors in place of records only `work` of a and b is read, and the separation is not to be used.
   /// Four particles (a cluster) meet pairs/4 neighbours at a time; a neighbour's record is read once for all four.
-  template <int Dim, class Body>
-  void sweep(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+  template <int Dim, class From, class Body>
+  void sweep(const ClusterList& list, ClusterRange range, const From* records, const Vec<Dim, float>& quantum,
              const Body& body) const {
     if (is_off()) return;
 #pragma omp parallel for schedule(dynamic, 32) num_threads(threads) if (range.count >= least_parallel_clusters)
@@ -228,8 +230,8 @@ struct OpenMp {
   }
 
   /// The sweep whose end() returns a T; then(start combined with all of them), on the device.
-  template <int Dim, class Body, class T, class Combine, class Then>
-  void sweep_then(const ClusterList& list, ClusterRange range, const Record* records, const Vec<Dim, float>& quantum,
+  template <int Dim, class From, class Body, class T, class Combine, class Then>
+  void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const Vec<Dim, float>& quantum,
                   const Body& body, const T& start, const Combine& combine, const Then& then) const {
     if (is_off()) return;
     constexpr Index block = 32;
@@ -323,11 +325,7 @@ struct OpenMp {
   template <int Dim>
   static LaneOf<Dim> read_cluster(const Record* records, const std::array<Index, cluster_size>& member) {
     LaneOf<Dim> lane{};
-    const auto gather_single = [&](auto field) {
-      Quad q{};
-      for (Index l = 0; l < cluster_size; ++l) q[l] = field(records[member[l]]);
-      return repeat_quad<pairs>(q);
-    };
+    const auto gather_single = [&](auto field) { return gather_quad(records, member, field); };
     const auto gather = [&](auto field) { return to_real<Real>(gather_single(field)); };
     for (int k = 0; k < Dim; ++k) {
       lane.place[k] =
@@ -344,15 +342,33 @@ struct OpenMp {
     return lane;
   }
 
+  template <int Dim>
+  static LaneOf<Dim> read_cluster(const Vectors* vectors, const std::array<Index, cluster_size>& member) {
+    LaneOf<Dim> lane{};
+    for (int k = 0; k < Dim; ++k) {
+      lane.work[k] =
+          to_real<Real>(gather_quad(vectors, member, [k](const Vectors& v) { return v.work[axis<Dim>(k)]; }));
+    }
+    return lane;
+  }
+
+  /// field() of the four particles of a cluster, in the lanes of every group.
+  template <class From, class Field>
+  static F gather_quad(const From* from, const std::array<Index, cluster_size>& member, const Field& field) {
+    Quad q{};
+    for (Index l = 0; l < cluster_size; ++l) q[l] = field(from[member[l]]);
+    return repeat_quad<pairs>(q);
+  }
+
   /// Whether a body's end takes sums as they were summed.
   template <class Body>
   static constexpr bool ends_in_real = requires(const Body& body, const typename Body::template Sum<Real>& sum) {
     body.end(Index{}, sum);
   };
 
-  template <int Dim, class Body, class EndOf>
-  static void sweep_cluster(const ClusterList& list, Index cluster, const Record* records,
-                            const Vec<Dim, float>& quantum, const Body& body, const EndOf& end_of) {
+  template <int Dim, class From, class Body, class EndOf>
+  static void sweep_cluster(const ClusterList& list, Index cluster, const From* records, const Vec<Dim, float>& quantum,
+                            const Body& body, const EndOf& end_of) {
     constexpr int groups = pairs / int{cluster_size};
 
     const Index first = list.first(cluster);
@@ -365,14 +381,21 @@ struct OpenMp {
     const Index end = list.begin[cluster + 1];
     for (Index e = list.begin[cluster]; e < end; e += groups) {
       const Index* j = list.entries + e;
-      for (int g = 0; g < groups; ++g) __builtin_prefetch(records + j[list_prefetch + g]);
+      if constexpr (std::is_same_v<From, Record>) {  // vectors of a neighbourhood stay in the first cache
+        for (int g = 0; g < groups; ++g) __builtin_prefetch(records + j[list_prefetch + g]);
+      }
       const Quad* neighbour[groups];
       for (int g = 0; g < groups; ++g) neighbour[g] = reinterpret_cast<const Quad*>(records + j[g]);
-      const LaneOf<Dim> b = read_lane<Dim, Body::quads>(
-          [&](int q) { return join_quads<pairs>([&](int g) { return neighbour[g] + q; }); });
+      const auto quad_of = [&](int q) { return join_quads<pairs>([&](int g) { return neighbour[g] + q; }); };
+      LaneOf<Dim> b{};
       Separation<Dim, L> s{};
-      for (int k = 0; k < Dim; ++k) s.r[k] = to_real<Real>(a.place[k] - b.place[k]) * L(quantum[k]);
-      s.r2 = dot(s.r, s.r);
+      if constexpr (std::is_same_v<From, Record>) {
+        b = read_lane<Dim, Body::quads>(quad_of);
+        for (int k = 0; k < Dim; ++k) s.r[k] = to_real<Real>(a.place[k] - b.place[k]) * L(quantum[k]);
+        s.r2 = dot(s.r, s.r);
+      } else {
+        b.work = read_vector<Dim>(quad_of(0));
+      }
       body.pair(a, b, s, std::size_t{e} * cluster_size, sum);
     }
 

@@ -12,6 +12,10 @@
 // reach. An explicit treatment would need steps 50 to 400 times smaller, a cap on the viscosity makes a bed creep
 // (docs/theory.md).
 //
+// Where the coefficients are kept between iterations, they are so in half a float (ShortFloat): what is solved for is
+// the change since the last step, from a residual of full precision, and with each k_ab off by 2^-9 at most, all of
+// them positive and k_ab = k_ba to the last bit, the quadratic form of the system is off by no more than that share.
+//
 // The gradients are those of Chronopoulos & Gear (1989): an iteration is one sweep and one pass, each with its sum, and
 // the numbers they exchange stay on the device (ViscousState).
 namespace thalweg {
@@ -24,14 +28,33 @@ struct ViscousSystem {
   struct Row {
     float residual[3];   // r [kg m/s]
     float diagonal;      // [kg]
-    float product[3];    // A u, u = r/diagonal in the records' work quad [kg m/s]
+    float product[3];    // A u, u = r/diagonal (IterationVector) [kg m/s]
     float direction[3];  // p [m/s]
     float along[3];      // A p [kg m/s]
     float increment[3];  // of the velocity [m/s]
   };
-  Buffer<float> coefficient;  // k_ab [kg/s], one a pair, in the order of the lists
+  Buffer<typename Device::PairCoefficient> coefficient;  // k_ab [kg/s], one a pair, in the order of the lists
+  Buffer<Vectors> vectors;                               // u of all particles, if the coefficients are kept
   Buffer<Row> row;
 };
+
+/// Where the vector u lies that an iteration multiplies by: in an array of its own if the coefficients are kept, as
+/// there is nothing else then that a sweep reads of a neighbour; else in the records' work quad, beside what the
+/// coefficients are computed from.
+template <bool stored>
+struct IterationVector {
+  using From = std::conditional_t<stored, Vectors, Record>;
+  From* from;
+  HOST_DEVICE float* operator[](Index i) const { return from[i].work; }
+};
+template <bool stored, class Device>
+IterationVector<stored> iteration_vector(Particles<Device>& p, ViscousSystem<Device>& system) {
+  if constexpr (stored) {
+    return {system.vectors.data()};
+  } else {
+    return {p.record.data()};
+  }
+}
 
 namespace viscosity {
 
@@ -86,7 +109,7 @@ struct ViscousCoupling {
 /// Pair sweep: the diagonal and the residual of the velocities u in the records, which are the explicit ones u* and a
 /// first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b). If `stored`, the coefficients k_ab
 /// as well.
-template <int Dim, bool stored, class Row, class Coupling>
+template <int Dim, bool stored, class Kept, class Row, class Coupling>
 struct ViscousCoefficientSweep {
   static constexpr unsigned quads = Coupling::quads;
   template <class L>
@@ -99,7 +122,7 @@ struct ViscousCoefficientSweep {
   const float* mass;
   const Rates* rates;
   const Sediment* sediment;
-  float* coefficient;
+  Kept* coefficient;
   Row* rows;
   Coupling coupling;
   const StepState* state;
@@ -134,19 +157,20 @@ struct ViscousCoefficientSweep {
   }
 };
 
-/// Pair sweep: A u, u in the records' work quad; the coefficients k_ab as stored, or computed again from the
-/// velocities, which stay in the records until the iteration is over. Returns u . A u.
-template <int Dim, bool stored, class Row, class Coupling>
+/// Pair sweep: A u; the coefficients k_ab as stored, or computed again from the velocities, which stay in the records
+/// until the iteration is over. Returns u . A u.
+template <int Dim, bool stored, class Kept, class Row, class Coupling>
 struct ViscousProductSweep {
-  static constexpr unsigned quads = stored ? unsigned{quad_work} : quad_work | Coupling::quads;
+  static constexpr unsigned quads = quad_work | Coupling::quads;
   template <class L>
   struct Sum {
     Vec<Dim, L> exchange;
   };
 
   const Record* records;
+  IterationVector<stored> vector;
   const float* mass;
-  const float* coefficient;
+  const Kept* coefficient;
   Row* rows;
   Coupling coupling;
   const StepState* state;
@@ -166,17 +190,18 @@ struct ViscousProductSweep {
   HOST_DEVICE double end(Index i, const Sum<float>& sum) const {
     if (is_resting(records[i])) return 0;  // a wall: its velocity is no unknown
     const auto dt = static_cast<float>(state->step.dt);
+    const float* u = vector[i];
     for (int c = 0; c < Dim; ++c) {
-      rows[i].product[axis<Dim>(c)] = mass[i] * records[i].work[axis<Dim>(c)] + dt * sum.exchange[c];
+      rows[i].product[axis<Dim>(c)] = mass[i] * u[axis<Dim>(c)] + dt * sum.exchange[c];
     }
-    return viscosity::dot3(records[i].work, rows[i].product);
+    return viscosity::dot3(u, rows[i].product);
   }
 };
 
 /// Particle pass: the rest of an iteration, from the A u that the sweep found. Returns the sums of the new residual.
-template <class Row>
+template <class Row, class Vector>
 struct ViscousUpdatePass {
-  Record* records;
+  Vector vector;
   Row* rows;
   const StepState* state;
 
@@ -184,7 +209,7 @@ struct ViscousUpdatePass {
     const auto alpha = static_cast<float>(state->viscous.alpha);
     const auto beta = static_cast<float>(state->viscous.beta);
     Row& row = rows[i];
-    float* u = records[i].work;
+    float* u = vector[i];
     for (int c = 0; c < 3; ++c) {
       row.direction[c] = u[c] + beta * row.direction[c];
       row.along[c] = row.product[c] + beta * row.along[c];
@@ -214,11 +239,15 @@ template <int Dim, class Device, class Coupling>
 void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
                          StepState* state, const Coupling& coupling) {
   using Row = typename ViscousSystem<Device>::Row;
+  using Kept = typename Device::PairCoefficient;
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
   if (range.count == 0) return;
   constexpr bool stored = Device::stores_coefficients || Coupling::needs_stored;
-  if constexpr (stored) system.coefficient.resize(p.list_entries.size() * cluster_size);
+  if constexpr (stored) {
+    system.coefficient.resize(p.list_entries.size() * cluster_size);
+    system.vectors.resize(std::size_t{p.count} + 1);
+  }
   system.row.resize(p.count);
   Record* records = p.record.data();
   Row* rows = system.row.data();
@@ -232,8 +261,8 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   const int most_iterations = scene.viscous_iterations;
   on.template sweep_then<Dim>(
       list, range, records, scene.lattice.quantum,
-      ViscousCoefficientSweep<Dim, stored, Row, Coupling>{records, p.mass.data(), p.rates.data(), sediment,
-                                                          system.coefficient.data(), rows, coupling, state},
+      ViscousCoefficientSweep<Dim, stored, Kept, Row, Coupling>{records, p.mass.data(), p.rates.data(), sediment,
+                                                                system.coefficient.data(), rows, coupling, state},
       viscosity::Norms{}, viscosity::AddNorms{}, [=] HOST_DEVICE(const viscosity::Norms& norms) {
         ViscousState& v = state->viscous;
         v = {};
@@ -242,8 +271,11 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
         if (v.scale == 0) v.scale = std::sqrt(norms.squared);
         viscosity::judge(v, norms.squared, tolerance, most_iterations);
       });
+  const auto vector = iteration_vector<stored>(p, system);
+  if constexpr (stored)
+    on.for_each(p.count + 1, [=] HOST_DEVICE(Index i) { vector.from[i] = {}; });  // walls, far water
   for_each_member(on, list, range, [=] HOST_DEVICE(Index i) {
-    for (int c = 0; c < 3; ++c) records[i].work[c] = rows[i].residual[c] / rows[i].diagonal;
+    for (int c = 0; c < 3; ++c) vector[i][c] = rows[i].residual[c] / rows[i].diagonal;
   });
 }
 
@@ -252,6 +284,7 @@ template <int Dim, class Device, class Coupling>
 void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
                            StepState* state, int iterations, const Coupling& coupling) {
   using Row = typename ViscousSystem<Device>::Row;
+  using Kept = typename Device::PairCoefficient;
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
   if (range.count == 0) return;
@@ -260,23 +293,25 @@ void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& s
   Row* rows = system.row.data();
   const double tolerance = scene.viscous_tolerance;
   const int most_iterations = scene.viscous_iterations;
+  const auto vector = iteration_vector<stored>(p, system);
   const int* const outer = on.only_if(&state->viscous.running);
   for (int n = 0; n < iterations; ++n) {
     if constexpr (Device::is_host) {
       if (state->viscous.running == 0) break;
     }
     on.template sweep_then<Dim>(
-        list, range, records, scene.lattice.quantum,
-        ViscousProductSweep<Dim, stored, Row, Coupling>{records, p.mass.data(), system.coefficient.data(), rows,
-                                                        coupling, state},
+        list, range, vector.from, scene.lattice.quantum,
+        ViscousProductSweep<Dim, stored, Kept, Row, Coupling>{records, vector, p.mass.data(), system.coefficient.data(),
+                                                              rows, coupling, state},
         0.0, [] HOST_DEVICE(double a, double b) { return a + b; },
         [=] HOST_DEVICE(double product) {
           ViscousState& v = state->viscous;
           v.beta = v.iterations == 0 ? 0 : v.preconditioned / v.before;
           v.alpha = v.preconditioned / (v.iterations == 0 ? product : product - v.beta * v.preconditioned / v.alpha);
         });
-    reduce_members_then(on, list, range, viscosity::Norms{}, ViscousUpdatePass<Row>{records, rows, state},
-                        viscosity::AddNorms{}, [=] HOST_DEVICE(const viscosity::Norms& norms) {
+    reduce_members_then(on, list, range, viscosity::Norms{},
+                        ViscousUpdatePass<Row, IterationVector<stored>>{vector, rows, state}, viscosity::AddNorms{},
+                        [=] HOST_DEVICE(const viscosity::Norms& norms) {
                           ViscousState& v = state->viscous;
                           v.before = v.preconditioned;
                           v.preconditioned = norms.preconditioned;

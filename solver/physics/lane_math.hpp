@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "solver/physics/host_device.hpp"
 
@@ -23,9 +24,23 @@ HOST_DEVICE inline float to_float(std::int32_t a) { return static_cast<float>(a)
 HOST_DEVICE inline bool lane_or(bool a, bool b) { return a || b; }
 HOST_DEVICE inline bool lane_and_not(bool a, bool b) { return a && !b; }
 
+/// The upper half of a float, for arrays that cost memory traffic: any size of number, to 2^-9 of it.
+struct ShortFloat {
+  std::uint16_t bits;
+};
+
 /// One number, or as many as the lane holds, of an array with one number a pair.
 HOST_DEVICE inline void lane_store(float* to, float a) { *to = a; }
 HOST_DEVICE inline void lane_load(const float* from, float& a) { a = *from; }
+HOST_DEVICE inline void lane_store(ShortFloat* to, float a) {
+  std::uint32_t bits = 0;
+  memcpy(&bits, &a, sizeof(bits));
+  to->bits = static_cast<std::uint16_t>((bits + 0x8000U) >> 16U);
+}
+HOST_DEVICE inline void lane_load(const ShortFloat* from, float& a) {
+  const std::uint32_t bits = std::uint32_t{from->bits} << 16U;
+  memcpy(&a, &bits, sizeof(a));
+}
 
 HOST_DEVICE inline double lane_max(double a, double b) { return a > b ? a : b; }
 HOST_DEVICE inline double lane_min(double a, double b) { return a < b ? a : b; }

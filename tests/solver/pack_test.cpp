@@ -52,6 +52,30 @@ TYPED_TEST(PackOfWidth, RootAndReciprocalAreGoodToSingleRounding) {
   EXPECT_EQ(lane_sqrt(Pack<W>(0.0F)).v[0], 0);
 }
 
+TYPED_TEST(PackOfWidth, HalfAFloatKeepsItsSizeToOneIn512) {
+  constexpr int W = TypeParam::value;
+  for (const float size : {1e-30F, 3e-4F, 1.0F, 7e20F}) {
+    const Pack<W> a = counting<W>(size, 0.37F * size);
+    std::array<ShortFloat, W> kept{};
+    lane_store(kept.data(), a);
+    Pack<W> back;
+    lane_load(kept.data(), back);
+    for (int k = 0; k < W; ++k) {
+      ShortFloat alone{};
+      float alone_back = 0;
+      lane_store(&alone, a.v[k]);
+      lane_load(&alone, alone_back);
+      EXPECT_EQ(back.v[k], alone_back);
+      EXPECT_NEAR(back.v[k], a.v[k], a.v[k] / 512);
+    }
+  }
+  std::array<ShortFloat, W> zeros{};
+  Pack<W> back = counting<W>(1, 1);
+  lane_store(zeros.data(), Pack<W>(0.0F));
+  lane_load(zeros.data(), back);
+  for (int k = 0; k < W; ++k) EXPECT_EQ(back.v[k], 0);
+}
+
 TYPED_TEST(PackOfWidth, GroupsAreFour) {
   constexpr int W = TypeParam::value;
   const Pack<W> a = counting<W>(0, 1);

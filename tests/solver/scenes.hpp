@@ -12,16 +12,16 @@ namespace thalweg::test {
 using Device = OpenMp<4>;
 
 /// Particles on the device, lists built; what a pass needs to be called by itself.
-template <int Dim>
+template <int Dim, class On = Device>
 struct Loaded {
-  Device on;
-  Particles<Device> p;
+  On on;
+  Particles<On> p;
   Scene<Dim> scene;
 };
 
-template <int Dim>
-Loaded<Dim> load(const Scene<Dim>& scene, const ParticleSet& from) {
-  Loaded<Dim> l{Device{}, {}, scene};
+template <class On = Device, int Dim>
+Loaded<Dim, On> load(const Scene<Dim>& scene, const ParticleSet& from) {
+  Loaded<Dim, On> l{On{}, {}, scene};
   load_particles(l.on, l.p, scene, from);
   rebuild_lists(l.on, l.p, scene);
   return l;
