@@ -453,7 +453,7 @@ struct Numerics {
   double smoothing_ratio = 1.5;        // [-] h / spacing
   double sound_speed_factor = 10;      // [-]
   double maximum_speed = 0;            // [m/s]; 0: 2 sqrt(g H)
-  double cfl = 0.35;                   // [-]
+  double cfl = 0.5;                    // [-]
   double density_diffusion = 0.1;      // [-]
   double artificial_viscosity = 0.02;  // [-]
   ViscosityTreatment viscosity = ViscosityTreatment::implicit;
@@ -478,9 +478,10 @@ struct Numerics {
     v.quantity("maximum_speed", maximum_speed, "m/s", 0, 1000,
                "Largest speed expected, from which the sound speed follows; 0: 2 sqrt(g H), H the height of the fluid "
                "at the start.");
-    v.number("cfl", cfl, 0.01, 100,
-             "Courant number of the acoustic and force time steps; errors do not depend on it up to 0.7 "
-             "(docs/speed-against-error.md), at 2 a run diverges and says so.");
+    v.number(
+        "cfl", cfl, 0.01, 100,
+        "Courant number of the acoustic and force time steps; errors do not depend on it up to 1.0 "
+        "(docs/speed-against-error.md), but near 0.7 splashes begin to gain energy; at 2 a run diverges and says so.");
     v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
     v.number("artificial_viscosity", artificial_viscosity, 0, 1,
              "Alpha of the artificial viscosity between approaching particles of one phase.");

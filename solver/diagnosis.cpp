@@ -42,7 +42,8 @@ std::size_t worst_particle(const ParticleSet& p, double water_density, double se
 
 std::string cure(const Case& of, double largest_speed) {
   const Numerics& n = of.numerics;
-  if (n.cfl > 0.5) return fmt::format("numerics.cfl is {:g}; set it to 0.35", n.cfl);
+  const double usual = Numerics{}.cfl;
+  if (n.cfl > usual) return fmt::format("numerics.cfl is {:g}; set it to {:g}", n.cfl, usual);
   if (largest_speed > 2 * n.maximum_speed) {
     return fmt::format(
         "the flow reached {:.3g} m/s and the sound speed is meant for {:.3g} m/s; raise numerics.maximum_speed",

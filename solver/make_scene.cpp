@@ -177,6 +177,7 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.smoothing_length = h;
   s.list_reach = 2 * h * (1 + n.list_skin);
   s.kernel = WendlandC2<Dim, float>(static_cast<float>(h));
+  s.no_slip = NoSlip<Dim>(h, s.spacing);
   s.singularity = static_cast<float>(0.01 * h * h);
   s.domain_from = in_dimension<Dim>(from.domain.from);
   s.domain_to = in_dimension<Dim>(from.domain.to);

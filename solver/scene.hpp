@@ -7,6 +7,7 @@
 #include "solver/physics/kernel.hpp"
 #include "solver/physics/mohr_coulomb.hpp"
 #include "solver/physics/mu_of_i.hpp"
+#include "solver/physics/no_slip.hpp"
 #include "solver/physics/viscosity_treatment.hpp"
 #include "solver/record.hpp"
 #include "solver/seepage_scene.hpp"
@@ -93,6 +94,7 @@ struct Scene {
   float artificial_viscosity = 0;    // alpha c h [m^2/s]
   double cfl = 0;
   bool two_pass = false;  // integrator
+  NoSlip<Dim> no_slip;
   ViscosityTreatment viscosity = ViscosityTreatment::implicit;
   double viscous_tolerance = 0;
   int viscous_iterations = 1000;

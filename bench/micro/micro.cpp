@@ -97,6 +97,8 @@ struct Bed {
     state.step.dt = 1e-4;
     viscous.row.resize(p.count);
     viscous.coefficient.resize(p.list_entries.size() * cluster_size);
+    viscous.vectors.resize(p.count + 1);
+    for (Vectors& v : viscous.vectors) v = {};
   }
 
   static Bed& of(int edge) {
@@ -112,8 +114,12 @@ struct Bed {
   }
   template <class Body, class T, class Add>
   void sweep_and_sum(ClusterRange range, const Body& body, const T& zero, const Add& add) {
+    sweep_and_sum(range, p.record.data(), body, zero, add);
+  }
+  template <class From, class Body, class T, class Add>
+  void sweep_and_sum(ClusterRange range, const From* from, const Body& body, const T& zero, const Add& add) {
     T sum = zero;
-    on.template sweep_then<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body, zero, add,
+    on.template sweep_then<Dim>(p.list(), range, from, scene.lattice.quantum, body, zero, add,
                                 [&](const T& found) { sum = found; });
     benchmark::DoNotOptimize(sum);
   }
@@ -206,6 +212,7 @@ template <int Dim>
 void register_all(int edge) {
   using B = Bed<Dim>;
   using Row = typename ViscousSystem<Device>::Row;
+  using Kept = typename Device::PairCoefficient;
   using Coupling = ViscousCoupling<Dim>;
   const auto fluid = [](B& b) { return b.p.all_fluid(); };
   // A line that is written comes from memory and goes back.
@@ -232,41 +239,39 @@ void register_all(int edge) {
                         b.sweep(r, MomentumSweep<Dim, true>{b.p.record.data(), b.p.rates.data(), b.scene});
                       },
                       {.particle = rates});
-  register_sweep<Dim>("viscous coefficients", edge, fluid,
-                      [](B& b, ClusterRange r) {
-                        b.sweep_and_sum(r,
-                                        ViscousCoefficientSweep<Dim, true, Row, Coupling>{b.p.record.data(),
-                                                                                          b.p.mass.data(),
-                                                                                          b.p.rates.data(),
-                                                                                          b.p.sediment.data(),
-                                                                                          b.viscous.coefficient.data(),
-                                                                                          b.viscous.row.data(),
-                                                                                          {b.scene},
-                                                                                          &b.state},
-                                        viscosity::Norms{}, viscosity::AddNorms{});
-                      },
-                      {.particle = row + sizeof(Rates) + sizeof(Sediment) + sizeof(float), .lane = 2 * sizeof(float)});
+  register_sweep<Dim>(
+      "viscous coefficients", edge, fluid,
+      [](B& b, ClusterRange r) {
+        const ViscousCoefficientSweep<Dim, true, Kept, Row, Coupling> body{b.p.record.data(),
+                                                                           b.p.mass.data(),
+                                                                           b.p.rates.data(),
+                                                                           b.p.sediment.data(),
+                                                                           iteration_vector<true>(b.p, b.viscous),
+                                                                           b.viscous.coefficient.data(),
+                                                                           b.viscous.row.data(),
+                                                                           {b.scene},
+                                                                           &b.state};
+        b.sweep_and_sum(r, body, viscosity::Norms{}, viscosity::AddNorms{});
+      },
+      {.particle = row + sizeof(Rates) + sizeof(Sediment) + sizeof(float) + sizeof(Vectors), .lane = 2 * sizeof(Kept)});
   register_sweep<Dim>("viscous product", edge, fluid,
                       [](B& b, ClusterRange r) {
-                        b.sweep_and_sum(r,
-                                        ViscousProductSweep<Dim, true, Row, Coupling>{b.p.record.data(),
-                                                                                      b.p.mass.data(),
-                                                                                      b.viscous.coefficient.data(),
-                                                                                      b.viscous.row.data(),
-                                                                                      {b.scene},
-                                                                                      &b.state},
-                                        0.0, std::plus<>());
+                        const auto vector = iteration_vector<true>(b.p, b.viscous);
+                        const ViscousProductSweep<Dim, true, Kept, Row, Coupling> body{
+                            b.p.record.data(),    vector,    b.viscous.coefficient.data(),
+                            b.viscous.row.data(), {b.scene}, &b.state};
+                        b.sweep_and_sum(r, vector.from, body, 0.0, std::plus<>());
                       },
-                      {.particle = row + sizeof(float), .lane = sizeof(float)});
+                      {.particle = row + sizeof(Vectors), .lane = sizeof(Kept)});
   register_sweep<Dim>("viscous product, nothing stored", edge, fluid,
                       [](B& b, ClusterRange r) {
-                        b.sweep_and_sum(
-                            r,
-                            ViscousProductSweep<Dim, false, Row, Coupling>{
-                                b.p.record.data(), b.p.mass.data(), nullptr, b.viscous.row.data(), {b.scene}, &b.state},
-                            0.0, std::plus<>());
+                        const ViscousProductSweep<Dim, false, Kept, Row, Coupling> body{
+                            b.p.record.data(), iteration_vector<false>(b.p, b.viscous),
+                            nullptr,           b.viscous.row.data(),
+                            {b.scene},         &b.state};
+                        b.sweep_and_sum(r, body, 0.0, std::plus<>());
                       },
-                      {.particle = row + sizeof(float)});
+                      {.particle = row});
   register_sweep<Dim>(
       "bed surface", edge, [](B& b) { return b.p.at_bed_surface(); },
       [](B& b, ClusterRange r) {
@@ -291,10 +296,11 @@ void register_all(int edge) {
       "viscous update", edge,
       [](B& b) {
         reduce_members_then(b.on, b.p.list(), b.p.all_fluid(), viscosity::Norms{},
-                            ViscousUpdatePass<Row>{b.p.record.data(), b.viscous.row.data(), &b.state},
+                            ViscousUpdatePass<Row, IterationVector<true>>{iteration_vector<true>(b.p, b.viscous),
+                                                                          b.viscous.row.data(), &b.state},
                             viscosity::AddNorms{}, [](const viscosity::Norms& n) { benchmark::DoNotOptimize(n); });
       },
-      2 * sizeof(Record) + row);
+      2 * sizeof(Vectors) + row);
   register_pass<Dim>(
       "largest drift", edge, [](B& b) { neighbours::find_squared_drift(b.on, b.p, b.scene, &b.state); },
       sizeof(Record) + sizeof(Place));

@@ -195,25 +195,25 @@ inline void lane_load(const float* from, Pack<W, Real>& a) {
 template <int W>
 inline void lane_store(ShortFloat* to, Pack<W> a) {
   using Bits = Register<W, std::uint32_t>;
-  const auto upper = __builtin_convertvector(((Bits)a.v + 0x8000U) >> 16U, Register<W, std::uint16_t>);
+  const auto upper = __builtin_convertvector(((Bits)a.v + 0x4000U) >> 15U, Register<W, std::uint16_t>);
   __builtin_memcpy(to, &upper, sizeof(upper));
 }
 template <int W>
 inline void lane_load(const ShortFloat* from, Pack<W>& a) {
   Register<W, std::uint16_t> upper;
   __builtin_memcpy(&upper, from, sizeof(upper));
-  a.v = (typename Pack<W>::Vector)(__builtin_convertvector(upper, Register<W, std::uint32_t>) << 16U);
+  a.v = (typename Pack<W>::Vector)(__builtin_convertvector(upper, Register<W, std::uint32_t>) << 15U);
 }
 #if defined(__AVX512F__)
 template <>
 inline void lane_store(ShortFloat* to, Pack<16> a) {
-  const __m512i rounded = _mm512_add_epi32((__m512i)a.v, _mm512_set1_epi32(0x8000));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtepi32_epi16(_mm512_srli_epi32(rounded, 16)));
+  const __m512i rounded = _mm512_add_epi32((__m512i)a.v, _mm512_set1_epi32(0x4000));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtepi32_epi16(_mm512_srli_epi32(rounded, 15)));
 }
 template <>
 inline void lane_load(const ShortFloat* from, Pack<16>& a) {
   const __m512i upper = _mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)));
-  a.v = (Pack<16>::Vector)_mm512_slli_epi32(upper, 16);
+  a.v = (Pack<16>::Vector)_mm512_slli_epi32(upper, 15);
 }
 #endif
 

@@ -7,10 +7,10 @@
 
 // Implicit viscosity of the sediment and of the layer between water and sediment: solves
 //   m_a u_a + dt sum_b k_ab (u_a - u_b) = m_a u*_a
-// for the velocities at the end of the step, walls standing still. k_ab = k_ba >= 0 makes the system symmetric and
-// positive definite; it is solved by conjugate gradients with Jacobi preconditioning on the clusters with sediment in
-// reach. An explicit treatment would need steps 50 to 400 times smaller, a cap on the viscosity makes a bed creep
-// (docs/theory.md).
+// for the velocities at the end of the step, walls standing still (and dragging as physics/no_slip.hpp says). k_ab =
+// k_ba >= 0 makes the system symmetric and positive definite; it is solved by conjugate gradients with Jacobi
+// preconditioning on the clusters with sediment in reach. An explicit treatment would need steps 50 to 400 times
+// smaller, a cap on the viscosity makes a bed creep (docs/theory.md).
 //
 // Where the coefficients are kept between iterations, they are so in half a float (ShortFloat): what is solved for is
 // the change since the last step, from a residual of full precision, and with each k_ab off by 2^-9 at most, all of
@@ -38,7 +38,8 @@ struct ViscousSystem {
   Buffer<Row> row;
 };
 
-/// Where the vector u lies that an iteration multiplies by: in an array of its own if the coefficients are kept, as
+/// Where the vector u lies that an iteration multiplies by, and behind its three components the mass with what the
+/// walls' surfaces add to the diagonal [kg]: in an array of its own if the coefficients are kept, as
 /// there is nothing else then that a sweep reads of a neighbour; else in the records' work quad, beside what the
 /// coefficients are computed from.
 template <bool stored>
@@ -47,6 +48,7 @@ struct IterationVector {
   From* from;
   HOST_DEVICE float* operator[](Index i) const { return from[i].work; }
 };
+inline constexpr int own_mass = 3;
 template <bool stored, class Device>
 IterationVector<stored> iteration_vector(Particles<Device>& p, ViscousSystem<Device>& system) {
   if constexpr (stored) {
@@ -90,7 +92,7 @@ struct ViscousCoupling {
   static constexpr bool needs_stored = false;
   Scene<Dim> scene;
 
-  /// k_ab [kg/s]; u = u_a - u_b.
+  /// k_ab [kg/s]; u = u_a - u_b. What a wall adds by being behind its surface is not in it (WallDrag).
   template <class LaneT, class L>
   HOST_DEVICE L coefficient(const LaneT& a, const LaneT& b, const Vec<Dim, L>& u, const L& closeness) const {
     const auto a_sediment = a.phase > L(phase_water + 0.5F);
@@ -116,12 +118,14 @@ struct ViscousCoefficientSweep {
   struct Sum {
     L coefficients;
     Vec<Dim, L> exchange;
+    WallDrag<Dim, L> walls;
   };
 
   const Record* records;
   const float* mass;
   const Rates* rates;
   const Sediment* sediment;
+  IterationVector<stored> vector;
   Kept* coefficient;
   Row* rows;
   Coupling coupling;
@@ -135,17 +139,21 @@ struct ViscousCoefficientSweep {
     if constexpr (stored) lane_store(coefficient + entry, k);
     sum.coefficients += k;
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
+    sum.walls.add(lane_select(b.phase < L(phase_wall + 0.5F), k, L(0.0F)), s, u);
   }
 
   /// The sums the iteration starts from.
   HOST_DEVICE viscosity::Norms end(Index i, const Sum<float>& sum) const {
     const auto dt = static_cast<float>(state->step.dt);
+    const float more_of_walls = coupling.scene.no_slip.excess(sum.walls);
+    const float own = mass[i] + dt * more_of_walls * sum.walls.coefficients;
+    vector[i][own_mass] = own;
     Row row{};
-    row.diagonal = mass[i] + dt * sum.coefficients;
+    row.diagonal = own + dt * sum.coefficients;
     const float* viscous = sediment[i].viscous_acceleration;
     for (int c = 0; c < Dim && !is_resting(records[i]); ++c) {
       const int k = axis<Dim>(c);
-      row.residual[k] = -dt * (mass[i] * viscous[k] + sum.exchange[c]);
+      row.residual[k] = -dt * (mass[i] * viscous[k] + sum.exchange[c] + more_of_walls * sum.walls.exchange[c]);
     }
     rows[i] = row;
     viscosity::Norms norms = viscosity::norms_of(row);
@@ -169,7 +177,6 @@ struct ViscousProductSweep {
 
   const Record* records;
   IterationVector<stored> vector;
-  const float* mass;
   const Kept* coefficient;
   Row* rows;
   Coupling coupling;
@@ -192,7 +199,7 @@ struct ViscousProductSweep {
     const auto dt = static_cast<float>(state->step.dt);
     const float* u = vector[i];
     for (int c = 0; c < Dim; ++c) {
-      rows[i].product[axis<Dim>(c)] = mass[i] * u[axis<Dim>(c)] + dt * sum.exchange[c];
+      rows[i].product[axis<Dim>(c)] = u[own_mass] * u[axis<Dim>(c)] + dt * sum.exchange[c];
     }
     return viscosity::dot3(u, rows[i].product);
   }
@@ -252,6 +259,10 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   Record* records = p.record.data();
   Row* rows = system.row.data();
   Sediment* sediment = p.sediment.data();
+  const auto vector = iteration_vector<stored>(p, system);
+  if constexpr (stored) {  // zero for walls and water far from sediment
+    on.for_each(p.count + 1, [=] HOST_DEVICE(Index i) { vector.from[i] = {}; });
+  }
   // What viscosity did in the last step is the best guess of what it does in this one.
   for_each_member(on, list, range, [=] HOST_DEVICE(Index i) {
     const auto dt = static_cast<float>(state->step.dt);
@@ -261,8 +272,8 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   const int most_iterations = scene.viscous_iterations;
   on.template sweep_then<Dim>(
       list, range, records, scene.lattice.quantum,
-      ViscousCoefficientSweep<Dim, stored, Kept, Row, Coupling>{records, p.mass.data(), p.rates.data(), sediment,
-                                                                system.coefficient.data(), rows, coupling, state},
+      ViscousCoefficientSweep<Dim, stored, Kept, Row, Coupling>{
+          records, p.mass.data(), p.rates.data(), sediment, vector, system.coefficient.data(), rows, coupling, state},
       viscosity::Norms{}, viscosity::AddNorms{}, [=] HOST_DEVICE(const viscosity::Norms& norms) {
         ViscousState& v = state->viscous;
         v = {};
@@ -271,9 +282,6 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
         if (v.scale == 0) v.scale = std::sqrt(norms.squared);
         viscosity::judge(v, norms.squared, tolerance, most_iterations);
       });
-  const auto vector = iteration_vector<stored>(p, system);
-  if constexpr (stored)
-    on.for_each(p.count + 1, [=] HOST_DEVICE(Index i) { vector.from[i] = {}; });  // walls, far water
   for_each_member(on, list, range, [=] HOST_DEVICE(Index i) {
     for (int c = 0; c < 3; ++c) vector[i][c] = rows[i].residual[c] / rows[i].diagonal;
   });
@@ -301,8 +309,8 @@ void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& s
     }
     on.template sweep_then<Dim>(
         list, range, vector.from, scene.lattice.quantum,
-        ViscousProductSweep<Dim, stored, Kept, Row, Coupling>{records, vector, p.mass.data(), system.coefficient.data(),
-                                                              rows, coupling, state},
+        ViscousProductSweep<Dim, stored, Kept, Row, Coupling>{records, vector, system.coefficient.data(), rows,
+                                                              coupling, state},
         0.0, [] HOST_DEVICE(double a, double b) { return a + b; },
         [=] HOST_DEVICE(double product) {
           ViscousState& v = state->viscous;

@@ -25,6 +25,7 @@ struct ExplicitViscositySweep {
   template <class L>
   struct Sum {
     Vec<Dim, L> exchange;
+    WallDrag<Dim, L> walls;
   };
 
   Record* records;
@@ -38,12 +39,16 @@ struct ExplicitViscositySweep {
     const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
     const L k = coupling.coefficient(a, b, u, closeness);
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
+    sum.walls.add(lane_select(b.phase < L(phase_wall + 0.5F), k, L(0.0F)), s, u);
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
     for (float& w : records[i].work) w = 0;
     const auto dt = static_cast<float>(state->step.dt);
-    for (int c = 0; c < Dim; ++c) records[i].work[axis<Dim>(c)] = -dt * sum.exchange[c] / mass[i];
+    const float more_of_walls = coupling.scene.no_slip.excess(sum.walls);
+    for (int c = 0; c < Dim; ++c) {
+      records[i].work[axis<Dim>(c)] = -dt * (sum.exchange[c] + more_of_walls * sum.walls.exchange[c]) / mass[i];
+    }
   }
 };
 

@@ -24,7 +24,8 @@ HOST_DEVICE inline float to_float(std::int32_t a) { return static_cast<float>(a)
 HOST_DEVICE inline bool lane_or(bool a, bool b) { return a || b; }
 HOST_DEVICE inline bool lane_and_not(bool a, bool b) { return a && !b; }
 
-/// The upper half of a float, for arrays that cost memory traffic: any size of number, to 2^-9 of it.
+/// A float that is not negative, without its sign and the lower 15 bits, for arrays that cost memory traffic: any size
+/// of number, to 2^-9 of it.
 struct ShortFloat {
   std::uint16_t bits;
 };
@@ -35,10 +36,10 @@ HOST_DEVICE inline void lane_load(const float* from, float& a) { a = *from; }
 HOST_DEVICE inline void lane_store(ShortFloat* to, float a) {
   std::uint32_t bits = 0;
   memcpy(&bits, &a, sizeof(bits));
-  to->bits = static_cast<std::uint16_t>((bits + 0x8000U) >> 16U);
+  to->bits = static_cast<std::uint16_t>((bits + 0x4000U) >> 15U);
 }
 HOST_DEVICE inline void lane_load(const ShortFloat* from, float& a) {
-  const std::uint32_t bits = std::uint32_t{from->bits} << 16U;
+  const std::uint32_t bits = std::uint32_t{from->bits} << 15U;
   memcpy(&a, &bits, sizeof(a));
 }
 

@@ -311,7 +311,7 @@ TEST(Accuracy, SetsDefaultsThatTheCaseMayStillChange) {
 TEST(Accuracy, ComesTooLateForAResolvedCase) {
   const fs::path file = own_folder() / "case.resolved.toml";
   write_case(file, read_case(good_case, {"numerics.accuracy=draft"}));
-  EXPECT_EQ(read_case(file).numerics.cfl, numerics_at(Accuracy::draft).cfl);
+  EXPECT_EQ(read_case(file).numerics.sound_speed_factor, numerics_at(Accuracy::draft).sound_speed_factor);
   EXPECT_THAT(message_of(file, {"numerics.accuracy=fine"}),
               HasSubstr("numerics.accuracy sets defaults, and a resolved case has none left; fill the scene again"));
   fs::remove_all(file.parent_path());

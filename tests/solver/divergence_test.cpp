@@ -25,7 +25,7 @@ TEST(Divergence, IsDiagnosedAndLosesNothing) {
   const std::string message = message_of(run.options());
   EXPECT_THAT(message, HasSubstr("run failed at t = "));
   EXPECT_THAT(message, HasSubstr("particle "));
-  EXPECT_THAT(message, HasSubstr("numerics.cfl is 7; set it to 0.35"));
+  EXPECT_THAT(message, HasSubstr("numerics.cfl is 7; set it to 0.5"));
   EXPECT_TRUE(std::filesystem::exists(run.folder().root / "diverged.vtp"));
   for (const SeriesEntry& e : read_series(run.folder().snapshot_series())) {
     for (const auto& u : read_particles(run.folder().root / e.file).velocity) EXPECT_TRUE(u.allFinite());

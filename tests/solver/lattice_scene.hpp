@@ -28,6 +28,7 @@ Scene<Dim> make_scene_of(const LatticeSetup<Dim>& setup) {
   s.smoothing_length = h;
   s.list_reach = 2 * h * (1 + setup.skin);
   s.kernel = WendlandC2<Dim, float>(static_cast<float>(h));
+  s.no_slip = NoSlip<Dim>(h, s.spacing);
   s.singularity = static_cast<float>(0.01 * h * h);
   bool periodic[Dim];
   Vec<Dim, double> to{};

@@ -48,6 +48,7 @@ Eigen::MatrixXd system_matrix(const test::Loaded<2, Device>& l, double dt) {
   for (Index i = 0; i < n; ++i) {
     const Record& a = l.p.record[i];
     A(i, i) += l.p.mass[i];
+    WallDrag<2, float> walls{};
     for (Index j = 0; j < l.p.count; ++j) {
       if (i == j) continue;
       const Record& o = l.p.record[j];
@@ -65,7 +66,13 @@ Eigen::MatrixXd system_matrix(const test::Loaded<2, Device>& l, double dt) {
       const double k = dt * -double(a.volume) * double(o.volume) * eta * F;
       A(i, i) += k;
       if (j < n) A(i, j) -= k;
+      if (o.phase == phase_wall) {
+        walls.coefficients += static_cast<float>(k);
+        walls.lever[0] += static_cast<float>(k * dx);
+        walls.lever[1] += static_cast<float>(k * dz);
+      }
     }
+    A(i, i) += double(l.scene.no_slip.excess(walls)) * double(walls.coefficients);
   }
   return A;
 }
@@ -142,6 +149,46 @@ TEST(ImplicitViscosity, CoefficientsInHalfAFloatAddNoMoreThanTheirRounding) {
   const auto norm = [&](const Eigen::MatrixXd& u) { return std::sqrt((u.transpose() * s.matrix * u).trace()); };
   EXPECT_TRUE(s.result.converged);
   EXPECT_LT(norm(s.iterated - s.direct), norm(s.direct - s.start) / 511);
+}
+
+/// Largest force on a particle within the kernel's reach of a wall, in a flow that grows linearly from the wall's
+/// surface, over shear stress times spacing [-].
+double force_in_linear_flow(bool sticks) {
+  LatticeSetup<2> setup;
+  setup.length = 0.12;
+  Scene<2> scene = test::make_scene_of(setup);
+  scene.has_sediment = true;
+  if (!sticks) scene.no_slip = {};
+  const double surface = 0.02;
+  const double rate = 10;  // [1/s]
+  ParticleSet p = test::fill_lattice(
+      scene, [&](const Vec3& x) { return x.z() < surface ? ParticleType::wall : ParticleType::sediment; });
+  p.viscosity.assign(p.size(), 1.0F);  // [Pa s]
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.type[i] == ParticleType::sediment)
+      p.velocity[i].x() = static_cast<float>(rate * (p.position[i].z() - surface));
+  }
+  auto l = test::load(scene, p);
+  apply_equation_of_state(l.on, l.p, scene);
+  const Eigen::MatrixXd before = velocities(l);
+  const double dt = 1e-4;
+  const StepState state = test::step_of(dt);
+  apply_explicit_viscosity(l.on, l.p, scene, &state);
+  const Eigen::MatrixXd gained = velocities(l) - before;
+  double largest = 0;
+  for (Index i = 0; i < l.p.fluid_count; ++i) {
+    if (l.p.position[i].x[2] - surface > 2 * scene.smoothing_length) continue;
+    largest = std::max(largest, std::abs(double(l.p.mass[i]) * gained(i, 0) / dt));
+  }
+  return largest / (rate * scene.spacing);
+}
+
+TEST(NoSlip, FlowThatGrowsLinearlyFromAWallsSurfaceIsSteady) {
+  // At rest in their own places the wall's particles hold the lowest row back by less than half of the shear stress
+  // that the fluid above it pulls it along with.
+  EXPECT_GT(force_in_linear_flow(false), 0.4);
+  // The distance is told from rows that count by their integrals, those of the lattice are sums: 6 %.
+  EXPECT_LT(force_in_linear_flow(true), 0.07);
 }
 
 TEST(ImplicitViscosity, GivesTheWallsAllTheMomentumItTakes) {
