@@ -459,7 +459,7 @@ struct Numerics {
   ViscosityTreatment viscosity = ViscosityTreatment::implicit;
   double viscous_tolerance = 1e-3;  // [-]
   int viscous_iterations = 1000;
-  double list_skin = 0.1;        // [-]
+  double list_skin = 0.15;       // [-]
   double excluded_limit = 1e-3;  // [-]
   Precision precision = Precision::single_sums;
   Integrator integrator = Integrator::leapfrog;
