@@ -2,9 +2,10 @@
 """How the cost of a particle-step goes with the number of particles, and what a second thread gives: scaling.py THALWEG
 
 Water over a bed, or water alone, between periodic sides: the domain widens while depth and spacing stay, so that scenes
-differ in nothing but their number of particles. The cost of a step is the difference of two runs of different length,
-so that reading, first lists and the first touch of memory drop out; building lists is measured by a skin of zero, with
-which every step builds them. `--part` makes one part of the table at a time, for machines where all take too long.
+differ in nothing but their number of particles; the bed may not come to rest, as small scenes run for more steps. The
+cost of a step is the difference of two runs of different length, so that reading, first lists and the first touch of
+memory drop out; building lists is measured by a skin of zero, with which every step builds them. `--part` makes one
+part of the table at a time, for machines where all take too long.
 """
 
 import argparse
@@ -64,6 +65,7 @@ grain_diameter = "2 mm"
 friction_angle = "30 deg"
 [model]
 sediment = "viscoplastic"
+rest = false
 """
 
 
