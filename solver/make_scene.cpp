@@ -177,7 +177,6 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.smoothing_length = h;
   s.list_reach = 2 * h * (1 + n.list_skin);
   s.kernel = WendlandC2<Dim, float>(static_cast<float>(h));
-  s.no_slip = NoSlip<Dim>(h, s.spacing);
   s.singularity = static_cast<float>(0.01 * h * h);
   s.domain_from = in_dimension<Dim>(from.domain.from);
   s.domain_to = in_dimension<Dim>(from.domain.to);
@@ -222,6 +221,7 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   s.has_moving_walls = has_moving_walls(from, particles);
   s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
   if (s.has_sediment) {
+    s.no_slip = NoSlip<Dim>(h, s.spacing);
     s.sediment = make_sediment(from, c);
     s.seepage = make_seepage(from, c);
     // The particles of a mixture are the grains alone.

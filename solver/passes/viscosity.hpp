@@ -39,9 +39,9 @@ struct ViscousSystem {
 };
 
 /// Where the vector u lies that an iteration multiplies by, and behind its three components the mass with what the
-/// walls' surfaces add to the diagonal [kg]: in an array of its own if the coefficients are kept, as
-/// there is nothing else then that a sweep reads of a neighbour; else in the records' work quad, beside what the
-/// coefficients are computed from.
+/// walls' surfaces add to the diagonal [kg]: in an array of its own if the coefficients are kept, as there is nothing
+/// else then that a sweep reads of a neighbour; else in the records' work quad, beside what the coefficients are
+/// computed from.
 template <bool stored>
 struct IterationVector {
   using From = std::conditional_t<stored, Vectors, Record>;
