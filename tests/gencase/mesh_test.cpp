@@ -254,7 +254,8 @@ TEST(MeshFile, ScaleThenRotationThenMove) {
 
 TEST(MeshFile, EveryFormatGivesTheSameBody) {
   const fs::path folder = fs::path(MESHES);
-  for (const char* name : {"box.stl", "box_text.stl", "box.obj", "box.off", "box_coloured.off", "box.ply", "box.vtp"}) {
+  for (const char* name : {"box.stl", "box_text.stl", "box.obj", "box.off", "box_coloured.off", "box.ply",
+                           "box_little_endian.ply", "box_big_endian.ply", "box.vtp"}) {
     const Triangles surface = triangulate(read_mesh(folder / name));
     EXPECT_EQ(surface.points.size(), 8U) << name;
     EXPECT_NEAR(volume(surface), 0.1 * 0.1 * 0.2, 1e-9) << name;
