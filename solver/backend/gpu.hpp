@@ -271,13 +271,23 @@ class Gpu {
     Runtime::select(n, candidate, keep, kept.data(), count);
   }
 
+  /// What a filter finds, one at a time here.
+  struct Hit {
+    Index j;
+    HOST_DEVICE static Index count() { return 1; }
+    HOST_DEVICE Index write(Index* to) const {
+      *to = j;
+      return 1;
+    }
+    HOST_DEVICE std::uint8_t any(const std::uint8_t* flags) const { return flags[j]; }
+  };
   template <int Dim, class Test, class Found>
   HOST_DEVICE static void filter(const Vec<Dim, const std::int32_t*>& places, Index begin, Index end, const Test& test,
                                  const Found& found) {
     for (Index j = begin; j < end; ++j) {
       Vec<Dim, std::int32_t> place{};
       for (int k = 0; k < Dim; ++k) place[k] = places[k][j];
-      if (test(place)) found(j);
+      if (test(place)) found(Hit{j});
     }
   }
 

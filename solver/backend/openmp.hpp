@@ -175,9 +175,9 @@ struct OpenMp {
     }
   }
 
-  /// found(j) for the j in [begin, end) that pass `test`, in order; if it has of_bits, that for W of them at a time,
-  /// with a bit set for each that passes. test takes the places of several particles, one integer lane a direction;
-  /// each of `places` can be read filter_overrun entries beyond its last.
+  /// found(hits) until the hits, one or more indices at a time (Hits), were all those in [begin, end) that pass `test`,
+  /// in order. test takes the places of several particles, one integer lane a direction; each of `places` can be read
+  /// filter_overrun entries beyond its last.
   template <int Dim, class Test, class Found>
   static void filter(const Vec<Dim, const std::int32_t*>& places, Index begin, Index end, const Test& test,
                      const Found& found) {
@@ -187,11 +187,7 @@ struct OpenMp {
       for (int k = 0; k < Dim; ++k) __builtin_memcpy(&place[k].v, places[k] + j, sizeof(place[k].v));
       std::uint32_t bits = bits_of(test(place));
       if (end - j < W) bits &= (1U << (end - j)) - 1;
-      if constexpr (requires { found.of_bits(bits); }) {
-        found.of_bits(bits);
-        continue;
-      }
-      for (; bits != 0; bits &= bits - 1) found(j + static_cast<Index>(__builtin_ctz(bits)));
+      found(Hits<W>{j, bits});
     }
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -108,6 +109,49 @@ inline std::uint32_t bits_of(IntPack<8> condition) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)condition.v));
 }
 #endif
+
+/// Some of the W indices from `first` on: those whose bit is set.
+template <int W>
+struct Hits {
+  std::uint32_t first;
+  std::uint32_t bits;
+
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(std::popcount(bits)); }
+
+  /// Writes them to `to`, in order and nothing behind them; returns how many they are.
+  std::uint32_t write(std::uint32_t* to) const {
+#if defined(__AVX512F__)
+    if constexpr (W == 16) {
+      const __m512i all = _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(first)),
+                                           _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+      const auto filled = static_cast<__mmask16>((1U << count()) - 1);
+      _mm512_mask_storeu_epi32(to, filled, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), all));
+      return count();
+    }
+#endif
+    std::uint32_t n = 0;
+    for (std::uint32_t left = bits; left != 0; left &= left - 1) {
+      to[n++] = first + static_cast<std::uint32_t>(std::countr_zero(left));
+    }
+    return n;
+  }
+
+  /// The bits set in any of their entries of `flags`, which can be read for all W.
+  [[nodiscard]] std::uint8_t any(const std::uint8_t* flags) const {
+    constexpr std::uint64_t bytes = 0x0101010101010101;
+    std::uint64_t found = 0;
+    for (int l = 0; l < W; l += 8) {
+      std::uint64_t eight = 0;
+      __builtin_memcpy(&eight, flags + first + l, W < 8 ? W : 8);
+      // Bit k of the eight becomes byte k: moved there, each beside the others, then all ones or none.
+      const std::uint64_t apart = ((bits >> l & 0xffU) * bytes) & 0x8040201008040201;
+      const std::uint64_t ones = (apart + 0x7f * bytes) | apart;
+      found |= eight & ((ones >> 7U & bytes) * 0xff);
+    }
+    for (unsigned shift = 32; shift >= 8; shift /= 2) found |= found >> shift;
+    return static_cast<std::uint8_t>(found);
+  }
+};
 
 /// The same numbers in another precision.
 template <class Real, int W, class From>

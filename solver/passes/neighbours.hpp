@@ -119,8 +119,8 @@ struct ClusterSearch {
     return d * d;
   }
 
-  /// found(j) for particles of the cells in reach of a box that lie within reach of a member in [from, to) but of none
-  /// in [already, from).
+  /// found(hits) for particles of the cells in reach of a box that lie within reach of a member in [from, to) but of
+  /// none in [already, from).
   template <class Found>
   HOST_DEVICE void visit(const Box& box, Index already, Index from, Index to, int sections, const Found& found) const {
     constexpr float rounding = 1.0001F;  // of the gaps
@@ -169,7 +169,7 @@ struct ClusterSearch {
     return box;
   }
 
-  /// found(j) for the neighbours of cluster members [first, last); walls need only fluid neighbours (sections = 1).
+  /// found(hits) for the neighbours of cluster members [first, last); walls need only fluid neighbours (sections = 1).
   template <class Found>
   HOST_DEVICE void search(Index first, Index last, int sections, const Found& found) const {
     const Box box = box_of(first, last);
@@ -184,11 +184,26 @@ struct ClusterSearch {
   }
 };
 
-/// Counts what a search finds, many at a time where a backend looks at many at a time.
+/// Counts what a search finds.
 struct Count {
   Index& n;
-  HOST_DEVICE void operator()(Index) const { ++n; }
-  void of_bits(std::uint32_t bits) const { n += static_cast<Index>(std::popcount(bits)); }
+  template <class Hits>
+  HOST_DEVICE void operator()(const Hits& hits) const {
+    n += hits.count();
+  }
+};
+
+/// Writes what a search finds one after the other; gathers the bits of its flags, if there are any.
+struct Write {
+  Index* entries;
+  Index& at;
+  const std::uint8_t* flags;
+  std::uint8_t& gathered;
+  template <class Hits>
+  HOST_DEVICE void operator()(const Hits& hits) const {
+    at += hits.write(entries + at);
+    if (flags != nullptr) gathered |= hits.any(flags);
+  }
 };
 
 /// A wall that moves and has no volume is parked, not excluded (passes/moving_walls.hpp).
@@ -397,8 +412,8 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   typename Device::template Buffer<std::uint8_t> about;
   typename Device::template Buffer<std::uint8_t> phase;  // a byte a particle, where a record is a line of the cache
   about.resize(p.clusters);
-  phase.resize(p.count);
-  {
+  if (scene.has_sediment) {
+    phase.resize(p.count + filter_overrun);
     const Record* records = p.record.data();
     std::uint8_t* to = phase.data();
     on.for_each(p.count, [=] HOST_DEVICE(Index i) {
@@ -409,17 +424,15 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   {
     Index* entries = p.list_entries.data();
     std::uint8_t* flags = about.data();
-    const std::uint8_t* reaches = phase.data();
+    const std::uint8_t* reaches = scene.has_sediment ? phase.data() : nullptr;
     on.for_each(p.clusters, [=] HOST_DEVICE(Index cluster) {
       Index at = list.begin[cluster];
       std::uint8_t f = 0;
-      for (Index i = list.first(cluster); i < list.last(cluster); ++i) {
+      search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1,
+                    Write{entries, at, reaches, f});
+      for (Index i = list.first(cluster); reaches != nullptr && i < list.last(cluster); ++i) {
         if (reaches[i] == reaches_sediment) f |= has_sediment;
       }
-      search.search(list.first(cluster), list.last(cluster), cluster < list.fluid_clusters ? 2 : 1, [&](Index j) {
-        entries[at++] = j;
-        f |= reaches[j];
-      });
       for (; at < list.begin[cluster + 1]; ++at) entries[at] = list.count;
       flags[cluster] = f;
     });
