@@ -256,11 +256,27 @@ class SimulationOn final : public Simulation {
   std::function<ParticleSet()> begin_snapshot() override {
     const auto shown = std::make_shared<typename Device::template Buffer<ShownParticle>>();
     shown->resize(p_.count);
-    const auto data_of = [](const auto& buffer) { return buffer.empty() ? nullptr : buffer.data(); };
-    on_.for_each(p_.count, ShowPass{p_.record.data(), p_.position.data(), p_.id.data(), p_.mass.data(), p_.type.data(),
-                                    data_of(p_.sediment), data_of(p_.bed), data_of(p_.excess_pore_pressure),
-                                    data_of(work_.mixture.pores), data_of(p_.motion), p_.fluid_count, shown->data()});
+    on_.for_each(p_.count, ShowPass{show(), nullptr, shown->data()});
     return [shown, beside = on_.beside(), scene = scene_] { return particle_set(scene, beside.on_host(*shown)); };
+  }
+
+  ParticleSet snapshot_within(const std::vector<Eigen::AlignedBox3d>& regions) override {
+    HostBuffer<ShownRegion> boxes;
+    for (const auto& region : regions) {
+      ShownRegion& box = boxes.emplace_back();
+      for (int c = 0; c < 3; ++c) box.from[c] = region.min()[c], box.to[c] = region.max()[c];
+    }
+    const std::size_t number = boxes.size();
+    typename Device::template Buffer<ShownRegion> on_device;
+    on_.put(std::move(boxes), on_device);
+    typename Device::template Buffer<Index> chosen;
+    Selection<Device> selection(on_);
+    selection.choose(p_.count, WithinRegions{p_.position.data(), on_device.data(), number}, chosen);
+    selection.finish();
+    typename Device::template Buffer<ShownParticle> shown;
+    shown.resize(chosen.size());
+    on_.for_each(static_cast<Index>(chosen.size()), ShowPass{show(), chosen.data(), shown.data()});
+    return particle_set(scene_, on_.on_host(shown));
   }
 
   ParticleSet full_state() override {
@@ -289,6 +305,21 @@ class SimulationOn final : public Simulation {
   }
 
  private:
+  Show show() const {
+    const auto data_of = [](const auto& buffer) { return buffer.empty() ? nullptr : buffer.data(); };
+    return {p_.record.data(),
+            p_.position.data(),
+            p_.id.data(),
+            p_.mass.data(),
+            p_.type.data(),
+            data_of(p_.sediment),
+            data_of(p_.bed),
+            data_of(p_.excess_pore_pressure),
+            data_of(work_.mixture.pores),
+            data_of(p_.motion),
+            p_.fluid_count};
+  }
+
   /// A checkpoint holds the particles in list order: lists are built for the places they were built for, which makes
   /// the continued run the same, bit for bit, as one that never stopped.
   void restore_lists(const std::vector<double>& listed) {

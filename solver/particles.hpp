@@ -151,6 +151,11 @@ class Selection {
     chosen_.push_back(&kept);
   }
   template <class Keep>
+  void choose(Index n, const Keep& keep, typename Device::template Buffer<Index>& kept) {
+    choose(
+        n, [] HOST_DEVICE(Index i) { return i; }, keep, kept);
+  }
+  template <class Keep>
   void choose(ClusterRange from, const Keep& keep, typename Device::template Buffer<Index>& kept) {
     choose(
         from.count, [=] HOST_DEVICE(Index n) { return from[n]; }, keep, kept);

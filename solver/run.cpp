@@ -257,7 +257,7 @@ class Run {
     simulation_->timing().time(Heading::output, [&] { output_.snapshot(*simulation_, clock_); });
   }
 
-  /// Gauges are read from the host's copy of the particles, whatever device computes them.
+  /// Gauges are read on the host, whatever device computes the particles around them.
   void read_gauges_now() {
     const GaugeRow row = output_.gauges(*simulation_, case_, clock_);
     if (row.notes.empty() || told_of_gauges_) return;

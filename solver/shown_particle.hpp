@@ -30,8 +30,8 @@ struct ShownParticle {
   std::uint8_t type;
 };
 
-/// Particle pass: gathers; arrays that the scene does not have are null.
-struct ShowPass {
+/// Gathers; arrays that the scene does not have are null.
+struct Show {
   const Record* records;
   const Position* positions;
   const std::int64_t* id;
@@ -43,9 +43,8 @@ struct ShowPass {
   const PoreState* pores;
   const Index* motion;
   Index fluid;
-  ShownParticle* shown;
 
-  HOST_DEVICE void operator()(Index i) const {
+  HOST_DEVICE ShownParticle operator()(Index i) const {
     ShownParticle s{};
     const Record& r = records[i];
     for (int c = 0; c < 3; ++c) s.x[c] = positions[i].x[c], s.velocity[c] = r.velocity[c];
@@ -66,7 +65,42 @@ struct ShowPass {
     if (pore_pressure != nullptr) s.pore_pressure = pore_pressure[i];
     s.porosity = pores != nullptr && i < fluid ? pores[i].porosity : 1;
     if (motion != nullptr) s.motion = static_cast<std::uint16_t>(motion[i]);
-    shown[i] = s;
+    return s;
+  }
+};
+
+/// A box, for the device; its sides may be infinite [m].
+struct ShownRegion {
+  double from[3];
+  double to[3];
+
+  [[nodiscard]] HOST_DEVICE bool contains(const Position& at) const {
+    for (int c = 0; c < 3; ++c) {
+      if (!(at.x[c] >= from[c] && at.x[c] <= to[c])) return false;
+    }
+    return true;
+  }
+};
+
+/// Particle pass: gathers the particles named in `of`, or all.
+struct ShowPass {
+  Show show;
+  const Index* of;  // nullptr: 0, 1, 2 …
+  ShownParticle* shown;
+
+  HOST_DEVICE void operator()(Index n) const { shown[n] = show(of == nullptr ? n : of[n]); }
+};
+
+/// Whether a particle lies within any of the regions.
+struct WithinRegions {
+  const Position* positions;
+  const ShownRegion* regions;
+  std::size_t number;
+
+  HOST_DEVICE bool operator()(Index i) const {
+    bool within = false;
+    for (std::size_t k = 0; k < number; ++k) within = within || regions[k].contains(positions[i]);
+    return within;
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -58,6 +59,9 @@ class Simulation {
   virtual ParticleSet snapshot() = 0;
   /// The same in two parts: what it returns makes the particles' set, in any thread, while steps go on.
   virtual std::function<ParticleSet()> begin_snapshot() = 0;
+  /// Of a snapshot, in the same order, the particles within any of the regions (boxes, infinite where they please); no
+  /// others are brought from the device.
+  virtual ParticleSet snapshot_within(const std::vector<Eigen::AlignedBox3d>& regions) = 0;
   /// All that a restart needs, in the order of the neighbour lists; without ParticleSet::info.
   virtual ParticleSet full_state() = 0;
 };

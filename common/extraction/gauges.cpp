@@ -59,10 +59,44 @@ double at_column(const std::vector<double>& xs, const std::vector<double>& value
   return std::isnan(between) ? values[share < 0.5 ? r - 1 : r] : between;
 }
 
+/// What of a water level's surroundings is looked at [m] to both sides: bodies that meet within it count as one, drops
+/// between do not.
+double level_window(double spacing) { return 6 * spacing; }
+
+/// The direction in which a gauge's plane has no extent.
+int normal_of(const Case& of, const Gauge& plane) {
+  int normal = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool used = of.info.dimension == 3 || axis != 1;
+    if (used && plane.from[axis] == plane.to[axis]) normal = axis;
+  }
+  return normal;
+}
+
+Eigen::AlignedBox3d region_of(const Case& of, const Gauge& gauge, double smoothing_length, double spacing) {
+  const double reach = 2 * smoothing_length;
+  Vec3 half = Vec3::Constant(reach);
+  switch (gauge.kind) {
+    case GaugeKind::pressure:
+    case GaugeKind::velocity:
+      break;
+    case GaugeKind::water_level:
+      half = Vec3(level_window(spacing) + reach + spacing, reach + spacing, HUGE_VAL);
+      break;
+    case GaugeKind::flux: {
+      const Vec3 low = gauge.from.cwiseMin(gauge.to);
+      const Vec3 high = gauge.from.cwiseMax(gauge.to);
+      const Vec3 beyond = reach * Vec3::Unit(normal_of(of, gauge));
+      Eigen::AlignedBox3d region(low - beyond, high + beyond);
+      if (of.info.dimension == 2) region.min().y() = -HUGE_VAL, region.max().y() = HUGE_VAL;
+      return region;
+    }
+  }
+  return {gauge.at - half, gauge.at + half};
+}
+
 std::vector<double> water_level(const Case& of, const Gauge& gauge, const ParticleSet& particles) {
-  const double spacing = particles.info.spacing;
-  const double reach = 2 * particles.info.smoothing_length + spacing;
-  const double window = 6 * spacing;  // bodies that meet within it count as one, drops between do not
+  const double window = level_window(particles.info.spacing);
   ExtractionSettings settings;
   settings.x_from = gauge.at.x() - window;
   settings.x_to = gauge.at.x() + window;
@@ -70,9 +104,8 @@ std::vector<double> water_level(const Case& of, const Gauge& gauge, const Partic
   settings.z_to = of.domain.to.z();
   settings.plane_y = gauge.at.y();
   settings.narrow_to_walls = false;
-  const ParticleSet around = subset(particles, [&](const Vec3& at) {
-    return std::abs(at.x() - gauge.at.x()) < window + reach && std::abs(at.y() - gauge.at.y()) < reach;
-  });
+  const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info.smoothing_length, particles.info.spacing);
+  const ParticleSet around = subset(particles, [&](const Vec3& at) { return region.contains(at); });
   const Profile profile = extract_profile(around, settings).profile;
   std::vector<double> values{at_column(profile.x, profile.free_surface, gauge.at.x())};
   if (of.has_sediment()) values.push_back(at_column(profile.x, profile.bed, gauge.at.x()));
@@ -142,27 +175,14 @@ std::vector<double> velocity(const Case& of, const Gauge& gauge, const ParticleS
 }
 
 std::vector<double> flux(const Case& of, const Gauge& gauge, const ParticleSet& particles) {
-  int normal = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool used = of.info.dimension == 3 || axis != 1;
-    if (used && gauge.from[axis] == gauge.to[axis]) normal = axis;
-  }
-  const Vec3 low = gauge.from.cwiseMin(gauge.to);
-  const Vec3 high = gauge.from.cwiseMax(gauge.to);
+  const int normal = normal_of(of, gauge);
   const double reach = 2 * particles.info.smoothing_length;
+  const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info.smoothing_length, particles.info.spacing);
   double water = 0;
   double sediment = 0;
   for (std::size_t b = 0; b < particles.size(); ++b) {
-    if (!is_fluid(particles.type[b])) continue;
-    const Vec3& at = particles.position[b];
-    const double distance = std::abs(at[normal] - low[normal]);
-    if (distance >= reach) continue;
-    bool inside = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool across = axis != normal && (of.info.dimension == 3 || axis != 1);
-      if (across && (at[axis] < low[axis] || at[axis] > high[axis])) inside = false;
-    }
-    if (!inside) continue;
+    if (!is_fluid(particles.type[b]) || !region.contains(particles.position[b])) continue;
+    const double distance = std::abs(particles.position[b][normal] - gauge.from[normal]);
     const double volume = double{particles.mass[b]} / double{particles.density[b]};
     const double passing = volume * double{particles.velocity[b][normal]} * (1 - distance / reach) / reach;
     (particles.type[b] == ParticleType::sediment ? sediment : water) += passing;
@@ -206,6 +226,12 @@ std::string gauge_line(double time, const GaugeRow& row) {
   std::string line = csv_number(time);
   for (const double value : row.values) line += std::isnan(value) ? "," : fmt::format(",{:.7g}", value);
   return line + "," + fmt::format("{}", fmt::join(row.notes, "; "));
+}
+
+std::vector<Eigen::AlignedBox3d> gauge_regions(const Case& of, double smoothing_length, double spacing) {
+  std::vector<Eigen::AlignedBox3d> regions;
+  for (const Gauge& gauge : of.gauges) regions.push_back(region_of(of, gauge, smoothing_length, spacing));
+  return regions;
 }
 
 GaugeRow read_gauges(const Case& of, const ParticleSet& particles) {

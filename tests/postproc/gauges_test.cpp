@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/case_file.hpp"
+#include "common/extraction/subset.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
 namespace thalweg {
@@ -84,6 +85,31 @@ TEST(Gauges, FluxIsTheVolumeThatPasses) {
     plane.from.z() = plane.to.z() = 0.1;  // nothing rises through a level plane
     plane.to.x() = 0.4;
     EXPECT_NEAR(read_gauges(case_with(dimension, {plane}), half_full(dimension)).values[0], 0, 1e-9);
+  }
+}
+
+// A solver brings no other particles from its device.
+TEST(Gauges, ReadNoParticlesBeyondTheirRegions) {
+  for (const int dimension : {2, 3}) {
+    const double y = dimension == 2 ? 0 : 0.05;
+    const std::vector<Gauge> gauges{gauge("wg", GaugeKind::water_level, {0.2517, y, 0}),
+                                    gauge("p", GaugeKind::pressure, {0, y, 0.1}),
+                                    gauge("u", GaugeKind::velocity, {0.25, y, 0.1}),
+                                    {"q", GaugeKind::flux, {}, {0.3, -1, 0}, {0.3, 1, 0.2}},
+                                    {"level q", GaugeKind::flux, {}, {0.1, -1, 0.1}, {0.4, 1, 0.1}}};
+    const ParticleSet all = half_full(dimension);
+    for (const Gauge& one : gauges) {
+      const Case c = case_with(dimension, {one});
+      const auto regions = gauge_regions(c, all.info.smoothing_length, all.info.spacing);
+      ASSERT_EQ(regions.size(), 1U);
+      ParticleSet around = subset(all, [&](const Vec3& at) { return regions[0].contains(at); });
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (regions[0].contains(all.position[i])) around.pressure.push_back(all.pressure[i]);
+      }
+      EXPECT_GT(around.size(), 0U) << one.name;
+      EXPECT_LT(around.size(), all.size() / 2) << one.name;
+      EXPECT_EQ(read_gauges(c, around).values, read_gauges(c, all).values) << one.name;
+    }
   }
 }
 

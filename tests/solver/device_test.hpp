@@ -275,6 +275,36 @@ TYPED_TEST_P(OnDevice, TakesOutWhatLeavesTheDomain) {
   EXPECT_EQ(simulation->snapshot().size(), s.particles.size() - 1);
 }
 
+TYPED_TEST_P(OnDevice, ShowsTheParticlesOfRegionsAsASnapshotShowsThem) {
+  for (const DeviceScene& s : device_scenes()) {
+    SCOPED_TRACE(s.name);
+    const auto simulation = simulation_on<TypeParam>(s, s.particles);
+    simulation->advance(1e-4);
+    const ParticleSet all = simulation->snapshot();
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& at : all.position) middle += at / static_cast<double>(all.size());
+    const Vec3 infinite = Vec3::Constant(HUGE_VAL);
+    Eigen::AlignedBox3d left(-infinite, infinite);
+    left.max().x() = middle.x();
+    Eigen::AlignedBox3d low(-infinite, infinite);
+    low.max().z() = middle.z();
+    const ParticleSet some = simulation->snapshot_within({left, low});
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all.position[i].x() > middle.x() && all.position[i].z() > middle.z()) continue;
+      ASSERT_LT(n, some.size());
+      EXPECT_EQ(some.id[n], all.id[i]);
+      EXPECT_EQ(some.position[n], all.position[i]);
+      EXPECT_EQ(some.pressure[n], all.pressure[i]);
+      for (const auto& [name, values] : all.scalars) EXPECT_EQ(some.scalars.at(name)[n], values[i]) << name;
+      ++n;
+    }
+    EXPECT_EQ(n, some.size());
+    EXPECT_LT(n, all.size());
+    EXPECT_EQ(simulation->snapshot_within({}).size(), 0U);
+  }
+}
+
 TYPED_TEST_P(OnDevice, LetsABedCreepAtAMicrometreASecond) {
   // 3e-12 m a step is a thousandth of what single precision resolves at 0.1 m.
   LatticeSetup<2> setup;
@@ -297,6 +327,6 @@ REGISTER_TYPED_TEST_SUITE_P(OnDevice, RunsABodyForEveryIndex, KeepsWhatABufferHo
                             AddsUpAndGoesOnWithoutTheHost, DoesNothingWhileAFlagIsDown, RepeatsWhatItWasAskedForBefore,
                             SortsStablyAndReorders, AddsWithoutLosingAny, StepsAsTheOpenMpBackendDoes,
                             ContinuesFromACheckpointBitForBit, TakesOutWhatLeavesTheDomain,
-                            LetsABedCreepAtAMicrometreASecond);
+                            ShowsTheParticlesOfRegionsAsASnapshotShowsThem, LetsABedCreepAtAMicrometreASecond);
 
 }  // namespace thalweg::test
