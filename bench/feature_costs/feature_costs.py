@@ -86,7 +86,8 @@ def comparisons(scenes):
     short = ["--until", f"{given.seconds} s"]
     collapse = scenes.after(given.start, scenes.louvain())
     moving = collapse.but("model.rest=false")
-    rest = scenes.after(given.settle, scenes.written("still", scaling.scene(2, given.particles, True)))
+    still = scaling.scene(2, given.particles, True).replace("rest = false", "rest = true")
+    rest = scenes.after(given.settle, scenes.written("still", still))
     dam = scenes.filled("dam", measure.ROOT / "cases" / "dam_break", "numerics.spacing=2 mm")
     louvain = scenes.louvain("output.interval=0 s", name="silent")
     gauged = scenes.written("gauged", (measure.ROOT / "cases/louvain/case.toml").read_text(encoding="utf-8")

@@ -18,6 +18,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -70,23 +71,27 @@ def functions(program):
 
 
 def inner_loop(code):
-    """The shortest loop that prefetches: the one over a cluster's neighbours."""
+    """The shortest loop that prefetches, or else that multiplies: the one over a cluster's neighbours."""
     place = {address: n for n, (address, _, _) in enumerate(code)}
     loops = []
     for n, (address, operation, operands) in enumerate(code):
         if not operation.startswith("j") or not (target := re.match(r"([0-9a-f]+)", operands)):
             continue
         start = place.get(int(target[1], 16), n + 1)
-        if start <= n and any(op.startswith("prefetch") for _, op, _ in code[start:n]):
+        if start <= n:
             loops.append(code[start:n + 1])
-    return min(loops, key=len, default=None)
+    for marks in (r"prefetch", r"v?(fn?m(add|sub)\w*|mul)ps"):
+        found = [loop for loop in loops if any(re.match(marks, operation) for _, operation, _ in loop)]
+        if found:
+            return min(found, key=len)
+    return None
 
 
 def count_instructions(program):
     """{"3-D/momentum": {"instructions": …}} of the sweeps' inner loops."""
     counts = {}
     for name, code in functions(program):
-        sweep = re.search(r"sweep(?:_cluster)?<(\d), thalweg::(.*)", name)
+        sweep = re.search(r"sweep(?:_cluster)?<(\d), thalweg::\w+, thalweg::(.*)", name)
         loop = inner_loop(code) if sweep else None
         title = next((title for pattern, title in SWEEPS.items() if sweep and re.match(pattern, sweep[2])), None)
         if loop is None or title is None:
@@ -101,6 +106,8 @@ def count_instructions(program):
             "divide or root": total(r"v?(div|sqrt)p[sd]"),
             "on the stack": sum(1 for _, _, operands in loop if re.search(r"\(%r[sb]p", operands)),
         }
+    if missing := {f"{d}-D/{title}" for d in "23" for title in SWEEPS.values()} - counts.keys():
+        sys.exit(f"{program}: found no inner loop of {', '.join(sorted(missing))}")
     return counts
 
 
