@@ -189,7 +189,9 @@ class Data {
 
  private:
   [[noreturn]] static void refuse(std::string_view text, const Place& where) {
-    throw InputError(fmt::format("has \"{}\" where a number of {} is due; export it again", text, text_of(where)));
+    constexpr std::size_t enough = 20;  // of what may be anything
+    throw InputError(
+        fmt::format("has \"{}\" where a number of {} is due; export it again", text.substr(0, enough), text_of(where)));
   }
 
   static std::int64_t integer_of(std::string_view text, const Type& type, const Place& where) {
