@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace thalweg {
@@ -42,10 +41,6 @@ struct CacheLineAllocator {
   template <class U>
   void construct(U* at) {
     ::new (static_cast<void*>(at)) U;
-  }
-  template <class U, class... From>
-  void construct(U* at, From&&... from) {
-    ::new (static_cast<void*>(at)) U(std::forward<From>(from)...);
   }
   template <class U>
   bool operator==(const CacheLineAllocator<U>&) const {
