@@ -11,13 +11,13 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 
 #include "common/error.hpp"
 #include "gencase/ply_check.hpp"
+#include "gencase/words.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -58,19 +58,13 @@ void check_stl(const std::string& bytes) {
   check_count("facets", facets, static_cast<double>(bytes.size()) - 84, 50);
 }
 
-bool is_count(const std::string& word) {
-  constexpr std::size_t most_digits = 10;
-  return word.size() <= most_digits && word.find_first_not_of("0123456789") == std::string::npos;
-}
-
 /// The words of each line that has any, without comments.
 std::vector<std::vector<std::string>> lines_of_words(const std::string& bytes) {
   std::istringstream text(bytes);
   std::vector<std::vector<std::string>> lines;
   for (std::string line; std::getline(text, line);) {
     line.erase(std::min(line.find('#'), line.size()));
-    std::istringstream of_line(line);
-    std::vector<std::string> words{std::istream_iterator<std::string>(of_line), {}};
+    std::vector<std::string> words = words_of(line);
     if (!words.empty()) lines.push_back(std::move(words));
   }
   return lines;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "common/error.hpp"
+#include "gencase/words.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -83,8 +83,7 @@ Format format_of(const std::string& name, const std::string& line) {
 }
 
 Element element_of(const std::vector<std::string>& words, const std::string& line) {
-  constexpr std::size_t most_digits = 10;  // stoull holds them; the size of the file bounds the number later
-  if (words[2].size() > most_digits || words[2].find_first_not_of("0123456789") != std::string::npos) damaged(line);
+  if (!is_count(words[2])) damaged(line);
   return {words[1], std::stoull(words[2]), {}};
 }
 
@@ -119,8 +118,7 @@ Header read_header(const std::string& bytes) {
   std::set<std::string> has;  // "vertex x", "face" with a list
   for (std::string line; std::getline(lines, line);) {
     while (!line.empty() && line.back() == '\r') line.pop_back();
-    std::istringstream text(line);
-    const std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+    const std::vector<std::string> words = words_of(line);
     if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "format" && words.size() == 3)
       header.format = format_of(words[1], line);

@@ -110,7 +110,7 @@ void RunOutput::history(const Totals& t, const StepReport& report, const RunCloc
 }
 
 GaugeRow RunOutput::gauges(Simulation& simulation, const Case& of, const RunClock& clock) {
-  ParticleSet particles = simulation.snapshot_within(gauge_regions(of, info_.smoothing_length, info_.spacing));
+  ParticleSet particles = simulation.snapshot_within(gauge_regions(of, info_));
   particles.info = info_at(clock);
   GaugeRow row = read_gauges(of, particles);
   gauges_ << gauge_line(clock.time, row) << '\n';

@@ -73,15 +73,15 @@ int normal_of(const Case& of, const Gauge& plane) {
   return normal;
 }
 
-Eigen::AlignedBox3d region_of(const Case& of, const Gauge& gauge, double smoothing_length, double spacing) {
-  const double reach = 2 * smoothing_length;
+Eigen::AlignedBox3d region_of(const Case& of, const Gauge& gauge, const ParticleFileInfo& info) {
+  const double reach = 2 * info.smoothing_length;
   Vec3 half = Vec3::Constant(reach);
   switch (gauge.kind) {
     case GaugeKind::pressure:
     case GaugeKind::velocity:
       break;
     case GaugeKind::water_level:
-      half = Vec3(level_window(spacing) + reach + spacing, reach + spacing, HUGE_VAL);
+      half = Vec3(level_window(info.spacing) + reach + info.spacing, reach + info.spacing, HUGE_VAL);
       break;
     case GaugeKind::flux: {
       const Vec3 low = gauge.from.cwiseMin(gauge.to);
@@ -104,7 +104,7 @@ std::vector<double> water_level(const Case& of, const Gauge& gauge, const Partic
   settings.z_to = of.domain.to.z();
   settings.plane_y = gauge.at.y();
   settings.narrow_to_walls = false;
-  const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info.smoothing_length, particles.info.spacing);
+  const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info);
   const ParticleSet around = subset(particles, [&](const Vec3& at) { return region.contains(at); });
   const Profile profile = extract_profile(around, settings).profile;
   std::vector<double> values{at_column(profile.x, profile.free_surface, gauge.at.x())};
@@ -147,13 +147,12 @@ std::optional<Eigen::Matrix<double, Values, 1>> fluid_value(const Case& of, cons
   const bool water_only = of.model.seepage == SeepageModel::mixture;
   const double h = particles.info.smoothing_length;
   const KernelWeight weight(particles);
+  const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info);
   PlaneFit<Values> fit;
   for (std::size_t b = 0; b < particles.size(); ++b) {
     const bool counts = water_only ? particles.type[b] == ParticleType::water : is_fluid(particles.type[b]);
-    if (!counts) continue;
-    const Vec3 offset = particles.position[b] - gauge.at;
-    if (offset.cwiseAbs().maxCoeff() > 2 * h) continue;
-    fit.add(weight(b, gauge.at), offset / h, value_of(b));
+    if (!counts || !region.contains(particles.position[b])) continue;
+    fit.add(weight(b, gauge.at), (particles.position[b] - gauge.at) / h, value_of(b));
   }
   constexpr double least_fluid = 0.1;  // [-] of the reach; on a wall or on the surface it is half
   if (!(fit.weight() > least_fluid)) return std::nullopt;
@@ -177,7 +176,7 @@ std::vector<double> velocity(const Case& of, const Gauge& gauge, const ParticleS
 std::vector<double> flux(const Case& of, const Gauge& gauge, const ParticleSet& particles) {
   const int normal = normal_of(of, gauge);
   const double reach = 2 * particles.info.smoothing_length;
-  const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info.smoothing_length, particles.info.spacing);
+  const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info);
   double water = 0;
   double sediment = 0;
   for (std::size_t b = 0; b < particles.size(); ++b) {
@@ -228,9 +227,9 @@ std::string gauge_line(double time, const GaugeRow& row) {
   return line + "," + fmt::format("{}", fmt::join(row.notes, "; "));
 }
 
-std::vector<Eigen::AlignedBox3d> gauge_regions(const Case& of, double smoothing_length, double spacing) {
+std::vector<Eigen::AlignedBox3d> gauge_regions(const Case& of, const ParticleFileInfo& info) {
   std::vector<Eigen::AlignedBox3d> regions;
-  for (const Gauge& gauge : of.gauges) regions.push_back(region_of(of, gauge, smoothing_length, spacing));
+  for (const Gauge& gauge : of.gauges) regions.push_back(region_of(of, gauge, info));
   return regions;
 }
 

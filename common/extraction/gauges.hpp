@@ -24,9 +24,9 @@ std::string gauge_heading_line(const Case& of);
 /// A row of gauges.csv; `time` [s] with all its digits.
 std::string gauge_line(double time, const GaugeRow& row);
 
-/// Where the particles lie that read_gauges() looks at, of particles with this smoothing length and spacing [m]: a box
-/// for each gauge, infinite in some directions. Other particles may be left out of its set.
-std::vector<Eigen::AlignedBox3d> gauge_regions(const Case& of, double smoothing_length, double spacing);
+/// Where the particles lie that read_gauges() looks at, of a set with these facts [m]: a box for each gauge, infinite
+/// in some directions. Other particles may be left out of its set.
+std::vector<Eigen::AlignedBox3d> gauge_regions(const Case& of, const ParticleFileInfo& info);
 
 /// Measures a particle set, which has to say its facts (ParticleSet::info), on the host.
 ///

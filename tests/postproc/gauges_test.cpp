@@ -100,7 +100,7 @@ TEST(Gauges, ReadNoParticlesBeyondTheirRegions) {
     const ParticleSet all = half_full(dimension);
     for (const Gauge& one : gauges) {
       const Case c = case_with(dimension, {one});
-      const auto regions = gauge_regions(c, all.info.smoothing_length, all.info.spacing);
+      const auto regions = gauge_regions(c, all.info);
       ASSERT_EQ(regions.size(), 1U);
       ParticleSet around = subset(all, [&](const Vec3& at) { return regions[0].contains(at); });
       for (std::size_t i = 0; i < all.size(); ++i) {
