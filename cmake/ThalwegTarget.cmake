@@ -1,4 +1,4 @@
-# Everything Thalweg compiles is C++20, includes from the repository's root ("common/case.hpp"), and treats warnings as errors.
+# Everything Thalweg compiles is C++20, includes from the repository's root ("case/case.hpp"), and treats warnings as errors.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

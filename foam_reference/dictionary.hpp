@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 
 namespace thalweg::foam {
 

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/run_folder.hpp"

@@ -125,7 +125,7 @@ std::string purpose(const FoamCase& foam_case) {
   }
   if (foam_case.has_sediment_phase() && !foam_case.rheology) {
     return text +
-           "\nSediment: the particle model's own laws (solver/physics), compiled into libthalwegFoam. SI, "
+           "\nSediment: the particle model's own laws (physics), compiled into libthalwegFoam. SI, "
            "dynamic viscosities;\n`columns` is the block of cells that the effective pressure is summed up in.\n";
   }
   if (!foam_case.rheology) return text;

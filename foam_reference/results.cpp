@@ -8,7 +8,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/profile.hpp"

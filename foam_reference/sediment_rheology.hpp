@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "foam_reference/mesh_plan.hpp"
 
 namespace thalweg::foam {

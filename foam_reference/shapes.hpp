@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 
 namespace thalweg::foam {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
+#include "case/scales.hpp"
 #include "common/error.hpp"
-#include "common/scales.hpp"
 #include "common/units.hpp"
 #include "gencase/checks.hpp"
 #include "gencase/closure.hpp"

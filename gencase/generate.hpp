@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "common/memory.hpp"
 #include "common/particles.hpp"
 #include "gencase/notes.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "gencase/shapes.hpp"
 
 namespace thalweg::gencase {

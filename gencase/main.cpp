@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cstdio>
 
-#include "common/case_file.hpp"
-#include "common/case_tables.hpp"
+#include "case/reader/case_file.hpp"
+#include "case/reader/tables.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "gencase/flow_room.hpp"
 #include "gencase/region.hpp"
 #include "gencase/surface_shapes.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "gencase/notes.hpp"
 #include "gencase/region.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/case_tables.hpp"
+#include "case/reader/tables.hpp"
 #include "common/units.hpp"
 
 namespace thalweg {

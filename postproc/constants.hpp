@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 
 namespace thalweg {
 

@@ -11,7 +11,7 @@
 #include <set>
 #include <thread>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"

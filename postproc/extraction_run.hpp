@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "common/extraction/profile_extraction.hpp"
 #include "common/run_folder.hpp"
 #include "postproc/profile_set.hpp"

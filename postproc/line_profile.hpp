@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "common/extraction/profile_extraction.hpp"
 
 namespace thalweg {

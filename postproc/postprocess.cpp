@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/run_folder.hpp"
 #include "common/whole_file.hpp"
 #include "postproc/comparison.hpp"

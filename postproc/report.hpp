@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "common/run_folder.hpp"
 #include "postproc/comparison.hpp"
 #include "postproc/extraction_run.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "common/extraction/gauges.hpp"
 #include "common/extraction/profile_extraction.hpp"
 #include "common/run_folder.hpp"

@@ -4,20 +4,20 @@
 #include <optional>
 #include <vector>
 
-#include "solver/passes/bed_states.hpp"
+#include "solver/lists/neighbours.hpp"
+#include "solver/models/bed/sediment_strength.hpp"
+#include "solver/models/implicit/viscous_step.hpp"
+#include "solver/models/moving_walls/moving_walls.hpp"
+#include "solver/models/pore_pressure/pore_pressure.hpp"
+#include "solver/models/rest/rest.hpp"
+#include "solver/models/seepage/mixture.hpp"
+#include "solver/models/states/bed_states.hpp"
+#include "solver/models/two_pass/two_pass.hpp"
 #include "solver/passes/continuity.hpp"
 #include "solver/passes/integrate.hpp"
-#include "solver/passes/mixture.hpp"
 #include "solver/passes/momentum.hpp"
-#include "solver/passes/moving_walls.hpp"
-#include "solver/passes/neighbours.hpp"
-#include "solver/passes/pore_pressure.hpp"
 #include "solver/passes/pressure.hpp"
-#include "solver/passes/rest.hpp"
-#include "solver/passes/sediment_strength.hpp"
 #include "solver/passes/time_step.hpp"
-#include "solver/passes/two_pass.hpp"
-#include "solver/passes/viscous_step.hpp"
 #include "solver/timing.hpp"
 
 namespace thalweg {
@@ -72,7 +72,7 @@ std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& 
   return excluded;
 }
 
-/// The two-pass integrator's accelerations and density rates: of half-way (passes/two_pass.hpp).
+/// The two-pass integrator's accelerations and density rates: of half-way (models/two_pass/two_pass.hpp).
 template <int Dim, class Device>
 void evaluate_half_way(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace<Device>& work,
                        Timing& timing) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "solver/backend/openmp.hpp"
-#include "solver/core.hpp"
+#include "solver/simulation/simulation_on.hpp"
 #include "tests/solver/lattice_scene.hpp"
 
 namespace thalweg {

@@ -10,7 +10,7 @@ def rms(values):
 
 def shear_rate(stress, yield_stress, regularisation, consistency, flow_index):
     """The shear rate [1/s] at which a Herschel-Bulkley-Papanastasiou fluid carries this shear stress [Pa]: the root of
-    tau_y (1 - exp(-m g/2)) + k g^n = stress (solver/physics/herschel_bulkley.hpp), by bisection to the last digit."""
+    tau_y (1 - exp(-m g/2)) + k g^n = stress (physics/sediment/herschel_bulkley.hpp), by bisection to the last digit."""
     def carried(rate):
         return -yield_stress * math.expm1(-regularisation * rate / 2) + consistency * rate ** flow_index
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "case/reader/case_file.hpp"
 #include "common/app/programs.hpp"
-#include "common/case_file.hpp"
 #include "common/error.hpp"
 #include "common/run_folder.hpp"
 

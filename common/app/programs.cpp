@@ -13,7 +13,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "common/case_keys.hpp"
+#include "case/reader/keys.hpp"
 #include "common/error.hpp"
 
 namespace thalweg {

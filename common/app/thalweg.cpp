@@ -2,10 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "case/reader/case_file.hpp"
 #include "common/app/info.hpp"
 #include "common/app/pipeline.hpp"
 #include "common/app/programs.hpp"
-#include "common/case_file.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "common/extraction/volume_fraction.hpp"
-#include "solver/physics/kernel.hpp"
+#include "physics/kernel.hpp"
 
 namespace thalweg {
 

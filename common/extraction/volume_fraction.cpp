@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/physics/kernel.hpp"
+#include "physics/kernel.hpp"
 
 namespace thalweg {
 namespace {

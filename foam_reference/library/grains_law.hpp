@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "solver/physics/bed_load.hpp"
-#include "solver/physics/bed_shear.hpp"
-#include "solver/physics/critical_shields.hpp"
-#include "solver/physics/friction_velocity.hpp"
-#include "solver/physics/lift_settling.hpp"
-#include "solver/physics/pick_up.hpp"
-#include "solver/physics/slope_factor.hpp"
+#include "physics/transport/bed_load.hpp"
+#include "physics/transport/bed_shear.hpp"
+#include "physics/transport/critical_shields.hpp"
+#include "physics/transport/friction_velocity.hpp"
+#include "physics/transport/lift_settling.hpp"
+#include "physics/transport/pick_up.hpp"
+#include "physics/transport/slope_factor.hpp"
 
-// What water does to the bed beneath it, by the laws of solver/physics/: the eroding-bed model's closures in one place.
+// What water does to the bed beneath it, by the laws of physics/: the eroding-bed model's closures in one place.
 namespace thalweg::foam {
 
 /// Constants of grains and water, SI.

@@ -69,7 +69,7 @@ thalwegSediment::thalwegSediment(const word& name, const dictionary& properties,
   correct();
 }
 
-// What the particle model does in solver/passes/sediment_law.hpp, with the same laws.
+// What the particle model does in solver/models/bed/sediment_law.hpp, with the same laws.
 double thalwegSediment::viscosity(const symmTensor& strain_rate, double effective_pressure) const {
   const double half_square = 0.5 * magSqr(strain_rate);  // D:D/2 [1/s^2]
   const double gdot = 2 * std::sqrt(half_square);        // sqrt(2 D:D) [1/s]

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "physics/lane_math.hpp"
 #include "solver/backend/buffer.hpp"
-#include "solver/cluster_list.hpp"
-#include "solver/physics/lane_math.hpp"
+#include "solver/state/cluster_list.hpp"
 
 // The verbs of a backend on a device with its own memory and a thread for each particle. How such a device is reached
 // is the Runtime's: CUDA's (solver/backend/cuda.cuh), or, in the tests, the host's with memory that nobody may touch

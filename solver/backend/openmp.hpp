@@ -13,7 +13,7 @@
 
 #include "solver/backend/buffer.hpp"
 #include "solver/backend/pack.hpp"
-#include "solver/cluster_list.hpp"
+#include "solver/state/cluster_list.hpp"
 
 namespace thalweg {
 

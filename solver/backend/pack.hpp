@@ -11,7 +11,7 @@
 #include <immintrin.h>
 #endif
 
-#include "solver/physics/lane_math.hpp"
+#include "physics/lane_math.hpp"
 
 // Several pairs at a time on a CPU: W numbers, float or double, in one register. A pack is W/4 groups of four lanes; in
 // a sweep group g holds neighbour g and lane l within every group holds particle l of the cluster

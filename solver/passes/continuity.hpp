@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "solver/particles.hpp"
-#include "solver/physics/mohr_coulomb.hpp"
-#include "solver/physics/pair_terms.hpp"
+#include "physics/pair_terms.hpp"
+#include "physics/sediment/mohr_coulomb.hpp"
+#include "solver/state/particles.hpp"
 
 namespace thalweg {
 

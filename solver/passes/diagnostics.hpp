@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solver/passes/mixture.hpp"
-#include "solver/physics/equation_of_state.hpp"
+#include "physics/water/equation_of_state.hpp"
+#include "solver/models/seepage/mixture.hpp"
 
 namespace thalweg {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solver/particles.hpp"
-#include "solver/physics/equation_of_state.hpp"
+#include "physics/water/equation_of_state.hpp"
+#include "solver/state/particles.hpp"
 
 namespace thalweg {
 
@@ -59,7 +59,7 @@ struct ExtrapolatedPressureSweep {
 };
 
 /// The same over wall particles, which also take the share of sediment in the fluid they continue, at rest or not: a
-/// bed does not end at a wall (passes/bed_states.hpp).
+/// bed does not end at a wall (models/states/bed_states.hpp).
 template <int Dim>
 struct WallPressureSweep : ExtrapolatedPressureSweep<Dim> {
   using Base = ExtrapolatedPressureSweep<Dim>;

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "solver/particles.hpp"
-#include "solver/physics/pair_terms.hpp"
+#include "physics/pair_terms.hpp"
+#include "solver/state/particles.hpp"
 
 namespace thalweg {
 
@@ -37,7 +37,7 @@ struct TimeStep {
   Extremes extremes;
 };
 
-/// How the viscous part of a step goes (passes/viscosity.hpp).
+/// How the viscous part of a step goes (models/implicit/viscosity.hpp).
 struct ViscousState {
   // Sums over the particles near sediment of the residual r and the preconditioned one u = r/diagonal.
   double preconditioned = 0;  // r . u

@@ -1,4 +1,4 @@
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <vector>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/error.hpp"
 #include "gencase/generate.hpp"
 

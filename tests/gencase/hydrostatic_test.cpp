@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solver/physics/equation_of_state.hpp"
+#include "physics/water/equation_of_state.hpp"
 #include "tests/gencase/scene.hpp"
 
 namespace thalweg::gencase::test {

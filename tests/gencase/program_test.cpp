@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/run_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "common/scales.hpp"
+#include "case/scales.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case.hpp"
+#include "case/case.hpp"
 #include "gencase/generate.hpp"
 #include "gencase/region.hpp"
 

@@ -12,23 +12,27 @@ from source_tree import HEADERS, report, sources
 
 # Layer: the layers whose headers it may include besides its own. Tests and benchmarks may look at everything.
 ALLOWED = {
-    "common": {"solver/physics"},  # parameter structs are declared beside the laws that use them
-    "common/io": {"common", "solver/physics"},
-    "common/app": {"common", "common/io"},  # the umbrella program, which sits on both libraries
-    "gencase": {"common", "common/io"},
-    "solver/physics": set(),
-    "solver data": {"solver/physics"},
-    "solver/passes": {"common", "solver/physics", "solver data"},
-    "solver/backend": {"common", "solver/physics", "solver data", "solver/passes"},
-    "solver": {"common", "common/io", "solver/physics", "solver data", "solver/passes", "solver/backend"},
-    "postproc": {"common", "common/io"},
-    "foam_reference": {"common", "common/io", "foam_reference/library"},
-    "foam_reference/library": {"solver/physics"},  # compiled by wmake against OpenFOAM
+    "physics": set(),
+    "common": {"physics"},
+    "common/io": {"common", "physics"},
+    "common/extraction": {"case", "common", "physics"},
+    "common/app": {"case", "common", "common/io"},  # the umbrella program, which sits on the libraries
+    "case": {"common", "physics"},  # a law declares its own parameters; the case is made of these structs
+    "gencase": {"case", "common", "common/io", "physics"},
+    "solver/state": {"physics", "solver/models/moving_walls"},
+    "solver/lists": {"physics", "solver/state", "solver/passes"},
+    "solver/backend": {"common", "physics", "solver/state"},
+    "solver/passes": {"common", "physics", "solver/state", "solver/models"},
+    "solver/models": {"case", "common", "physics", "solver/state", "solver/lists", "solver/passes"},
+    "solver": {"common", "physics", "solver/state", "solver/lists", "solver/passes", "solver/models"},
+    "solver/simulation": {"case", "common", "physics", "solver", "solver/state", "solver/backend", "solver/lists",
+                          "solver/passes", "solver/models"},
+    "solver/program": {"case", "common", "common/io", "common/extraction", "physics", "solver/state",
+                       "solver/models", "solver/simulation"},
+    "postproc": {"case", "common", "common/io", "common/extraction", "physics"},
+    "foam_reference": {"case", "common", "common/io", "physics", "foam_reference/library"},
+    "foam_reference/library": {"physics"},  # compiled by wmake against OpenFOAM
 }
-# Headers in solver/ that say what the particles are; passes and backends stand on them. The rest of solver/ is the step
-# and the program around it.
-SOLVER_DATA = {f"solver/{name}.hpp" for name in ("cluster_list", "hilbert", "lattice", "particles", "record", "scene",
-                                                      "seepage_scene", "wall_motion")}
 # Foreign header: the layers that may include it.
 FOREIGN = {
     r"vtk\w*\.h": ({"common/io", "postproc"}, "VTK belongs to common/io and postproc"),
@@ -43,7 +47,7 @@ SYNTAX = {
         "write HOST_DEVICE; CUDA's words belong to solver/backend",
 }
 # The one place outside the backend where CUDA's words are spelled out.
-SPELLS_CUDA = "solver/physics/host_device.hpp"
+SPELLS_CUDA = "physics/host_device.hpp"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<open>[<"])(?P<name>[^>"]+)[>"]')
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
@@ -51,8 +55,6 @@ COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOT
 
 def layer_of(path):
     """The layer of a path relative to the root, or None for tests, benchmarks and foreign headers."""
-    if path in SOLVER_DATA:
-        return "solver data"
     matches = [layer for layer in ALLOWED if path.startswith(layer + "/")]
     return max(matches, key=len, default=None)
 
@@ -84,8 +86,8 @@ def edge_violations(root, path, text):
             yield f"{where}: {layer} may not include {target}; allowed: {allowed}"
         if layer and opening == '"' and target is None:
             yield f"{where}: {layer} may not include {name}; tests and benchmarks are read by nobody"
-        if layer == "solver/physics" and opening == "<" and re.search(r"[./]", name):
-            yield f"{where}: solver/physics may not include <{name}>; the laws need the standard library alone"
+        if layer == "physics" and opening == "<" and re.search(r"[./]", name):
+            yield f"{where}: physics may not include <{name}>; the laws need the standard library alone"
         for pattern, (allowed, rule) in FOREIGN.items():
             outside_solver = name == "omp.h" and layer and not layer.startswith("solver")
             if layer and opening == "<" and re.fullmatch(pattern, name) and layer not in allowed and not outside_solver:

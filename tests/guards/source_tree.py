@@ -4,7 +4,7 @@ import pathlib
 import subprocess
 import sys
 
-ROOMS = ("common", "gencase", "solver", "postproc", "foam_reference", "tests", "bench")
+ROOMS = ("physics", "common", "case", "gencase", "solver", "postproc", "foam_reference", "tests", "bench")
 HEADERS = (".hpp", ".cuh")
 UNITS = (".cpp", ".cu")
 FOAM = (".H", ".C")  # what wmake compiles, in OpenFOAM's own suffixes

@@ -14,7 +14,7 @@ import shlex
 import subprocess
 import sys
 
-PROGRAMS = ("common", "gencase", "solver", "postproc", "foam_reference")
+PROGRAMS = ("physics", "common", "case", "gencase", "solver", "postproc", "foam_reference")
 
 
 def units(root, build):

@@ -14,14 +14,14 @@ import includes
 import tracked_files
 
 CLEAN = {
-    "common/particles.hpp": '#pragma once\n\n#include <vector>\n\n#include "solver/physics/law.hpp"\n',
+    "common/particles.hpp": '#pragma once\n\n#include <vector>\n\n#include "physics/law.hpp"\n',
     "common/io/file.hpp": '#pragma once\n\n#include "common/particles.hpp"\n',
     "common/io/file.cpp": '#include "common/io/file.hpp"\n\n#include <vtkPolyData.h>\n',
     "gencase/fill.cpp": '#include <CGAL/Surface_mesh.h>\n\n#include "common/io/file.hpp"\n',
-    "solver/physics/law.hpp": "#pragma once\n\n#include <cmath>\n",
-    "solver/record.hpp": '#pragma once\n\n#include "solver/physics/law.hpp"\n',
-    "solver/passes/pass.hpp": '#pragma once\n\n#include "solver/record.hpp"\n',
-    "solver/backend/device.cu": '#include "solver/passes/pass.hpp"\n\n#include <cuda_runtime.h>\n\n'
+    "physics/law.hpp": "#pragma once\n\n#include <cmath>\n",
+    "solver/state/record.hpp": '#pragma once\n\n#include "physics/law.hpp"\n',
+    "solver/passes/pass.hpp": '#pragma once\n\n#include "solver/state/record.hpp"\n',
+    "solver/backend/device.cu": '#include "solver/state/record.hpp"\n\n#include <cuda_runtime.h>\n\n'
                                 "void launch() { sweep<<<1, 2>>>(); cudaDeviceSynchronize(); }\n",
     "solver/step.hpp": '#pragma once\n\n#include "solver/passes/pass.hpp"\n',
     "postproc/surface.cpp": "#include <vtkPolyData.h>\n",
@@ -59,16 +59,16 @@ class Includes(Tree):
 
     def test_every_forbidden_edge_is_found(self):
         for name, line in (
-            ("solver/physics/law.hpp", '#include "solver/passes/pass.hpp"'),
-            ("solver/physics/law.hpp", '#include "common/io/file.hpp"'),
+            ("physics/law.hpp", '#include "solver/passes/pass.hpp"'),
+            ("physics/law.hpp", '#include "common/io/file.hpp"'),
             ("solver/passes/pass.hpp", '#include "solver/step.hpp"'),
             ("solver/passes/other.hpp", '  #  include "common/io/file.hpp"'),
-            ("solver/record.hpp", '#include "solver/passes/pass.hpp"'),
+            ("solver/state/record.hpp", '#include "solver/passes/pass.hpp"'),
             ("solver/backend/device.cu", '#include "solver/step.hpp"'),
             ("solver/step.hpp", '#include "tests/any.cpp"'),
             ("common/particles.hpp", '#include "common/io/file.hpp"'),
             ("common/other.hpp", '#include "solver/passes/pass.hpp"'),
-            ("gencase/fill.cpp", '#include "solver/physics/law.hpp"'),
+            ("gencase/fill.cpp", '#include "solver/passes/pass.hpp"'),
             ("postproc/surface.cpp", '#include "solver/step.hpp"'),
             ("foam_reference/write.cpp", '#include "gencase/fill.cpp"'),
         ):
@@ -84,7 +84,7 @@ class Includes(Tree):
             ("foam_reference/write.cpp", "#include <cuda_runtime.h>"),
             ("solver/passes/pass.hpp", "#include <cub/cub.cuh>"),
             ("solver/passes/pass.hpp", "#include <omp.h>"),
-            ("solver/physics/law.hpp", "#include <Eigen/Core>"),
+            ("physics/law.hpp", "#include <Eigen/Core>"),
         ):
             with self.subTest(file=name, line=line):
                 self.tearDownFiles()
@@ -94,7 +94,7 @@ class Includes(Tree):
         for name, line in (
             ("solver/passes/pass.hpp", "inline void go() { sweep<<<1, 2>>>(); }"),
             ("solver/step.hpp", "inline void go() { cudaDeviceSynchronize(); }"),
-            ("solver/physics/law.hpp", "__device__ inline float one() { return 1; }"),
+            ("physics/law.hpp", "__device__ inline float one() { return 1; }"),
             ("solver/passes/pass.hpp", "#pragma omp parallel for"),
         ):
             with self.subTest(file=name, line=line):
@@ -111,9 +111,9 @@ class Includes(Tree):
         self.plant("solver/step.hpp", '#include "passes/pass.hpp"')
 
     def test_vtk_does_not_reach_the_device_through_a_header(self):
-        self.write("solver/passes/pass.hpp", CLEAN["solver/passes/pass.hpp"] + '#include "common/particles.hpp"\n')
+        self.write("solver/state/record.hpp", CLEAN["solver/state/record.hpp"] + '#include "physics/law.hpp"\n')
         self.assertEqual(self.found(), [])
-        self.write("common/particles.hpp", CLEAN["common/particles.hpp"] + "#include <vtkPolyData.h>\n")
+        self.write("physics/law.hpp", CLEAN["physics/law.hpp"] + "#include <vtkPolyData.h>\n")
         self.assertTrue(any(violation.startswith("solver/backend/device.cu:1: reaches <vtkPolyData.h>")
                             for violation in self.found()))
 

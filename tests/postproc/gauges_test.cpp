@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/extraction/subset.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 

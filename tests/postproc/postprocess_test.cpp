@@ -9,7 +9,7 @@
 #include <iterator>
 #include <regex>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
 #include "common/profile.hpp"
 #include "postproc/movie.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/error.hpp"
 #include "postproc/constants.hpp"
 #include "postproc/extraction_run.hpp"

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"

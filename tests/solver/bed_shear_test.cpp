@@ -1,11 +1,11 @@
-#include "solver/physics/bed_shear.hpp"
+#include "physics/transport/bed_shear.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "solver/physics/critical_shields.hpp"
-#include "solver/physics/friction_velocity.hpp"
+#include "physics/transport/critical_shields.hpp"
+#include "physics/transport/friction_velocity.hpp"
 
 namespace thalweg {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/passes/bed_states.hpp"
+#include "solver/models/states/bed_states.hpp"
 
 #include <gtest/gtest.h>
 

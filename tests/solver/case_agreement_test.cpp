@@ -5,7 +5,7 @@
 #include <map>
 
 #include "case_run.hpp"
-#include "solver/make_scene.hpp"
+#include "solver/simulation/make_scene.hpp"
 
 // Whole cases on two devices, step by step. Which one is held against the baseline of the OpenMP backend is told by
 // THALWEG_TEST_BACKEND (tools/gpu-check: cuda); without it that is the widest instruction set of this processor.

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
 #include "gencase/generate.hpp"
-#include "solver/run.hpp"
+#include "solver/program/run.hpp"
 
 // Runs one of the project's own cases in a folder of the test's own, as the programs would.
 namespace thalweg::test {

@@ -4,7 +4,7 @@
 
 #include "common/error.hpp"
 #include "scenes.hpp"
-#include "solver/simulation.hpp"
+#include "solver/simulation/simulation.hpp"
 
 namespace thalweg {
 namespace {

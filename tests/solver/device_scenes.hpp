@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lattice_scene.hpp"
-#include "solver/simulation.hpp"
+#include "solver/simulation/simulation.hpp"
 
 namespace thalweg::test {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "device_scenes.hpp"
-#include "solver/core.hpp"
+#include "solver/simulation/simulation_on.hpp"
 
 // What every backend has to do, for a Device named where this is instantiated: the verbs, and whole steps as the OpenMP
 // backend makes them. Bodies of kernels are structs here, because a test's function is private to its class.

@@ -1,10 +1,10 @@
-#include "solver/physics/effective_pressure.hpp"
+#include "physics/sediment/effective_pressure.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "solver/physics/equation_of_state.hpp"
+#include "physics/water/equation_of_state.hpp"
 
 namespace thalweg {
 namespace {

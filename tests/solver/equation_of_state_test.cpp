@@ -1,4 +1,4 @@
-#include "solver/physics/equation_of_state.hpp"
+#include "physics/water/equation_of_state.hpp"
 
 #include <gtest/gtest.h>
 

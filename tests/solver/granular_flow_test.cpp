@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes.hpp"
-#include "solver/simulation.hpp"
+#include "solver/simulation/simulation.hpp"
 
 namespace thalweg {
 namespace {

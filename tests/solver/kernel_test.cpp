@@ -1,4 +1,4 @@
-#include "solver/physics/kernel.hpp"
+#include "physics/kernel.hpp"
 
 #include <gtest/gtest.h>
 

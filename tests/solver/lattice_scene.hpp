@@ -4,7 +4,7 @@
 #include <random>
 
 #include "common/particles.hpp"
-#include "solver/scene.hpp"
+#include "solver/state/scene.hpp"
 
 // Small scenes made by hand for the solver's tests: 2-D and 3-D lattices, with or without jitter, periodic or not.
 namespace thalweg::test {

@@ -1,4 +1,4 @@
-#include "solver/physics/lift_settling.hpp"
+#include "physics/transport/lift_settling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/passes/mixture.hpp"
+#include "solver/models/seepage/mixture.hpp"
 
 #include "mixture_scenes.hpp"
 

@@ -1,12 +1,12 @@
-#include "solver/passes/moving_walls.hpp"
+#include "solver/models/moving_walls/moving_walls.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "scenes.hpp"
-#include "solver/make_motions.hpp"
+#include "solver/models/moving_walls/make_motions.hpp"
 
 namespace thalweg {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/physics/pair_terms.hpp"
+#include "physics/pair_terms.hpp"
 
 #include <gtest/gtest.h>
 

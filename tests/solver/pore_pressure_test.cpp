@@ -1,4 +1,4 @@
-#include "solver/passes/pore_pressure.hpp"
+#include "solver/models/pore_pressure/pore_pressure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/scene.hpp"
+#include "solver/state/scene.hpp"
 
 namespace thalweg::test {
 

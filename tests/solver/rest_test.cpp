@@ -1,4 +1,4 @@
-#include "solver/passes/rest.hpp"
+#include "solver/models/rest/rest.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "solver/physics/drucker_prager.hpp"
-#include "solver/physics/herschel_bulkley.hpp"
-#include "solver/physics/mohr_coulomb.hpp"
-#include "solver/physics/mu_of_i.hpp"
-#include "solver/physics/suspension_viscosity.hpp"
+#include "physics/sediment/drucker_prager.hpp"
+#include "physics/sediment/herschel_bulkley.hpp"
+#include "physics/sediment/mohr_coulomb.hpp"
+#include "physics/sediment/mu_of_i.hpp"
+#include "physics/sediment/suspension_viscosity.hpp"
 
 namespace thalweg {
 namespace {

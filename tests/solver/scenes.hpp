@@ -4,7 +4,7 @@
 
 #include "lattice_scene.hpp"
 #include "solver/backend/openmp.hpp"
-#include "solver/core.hpp"
+#include "solver/simulation/simulation_on.hpp"
 
 // Scenes on the baseline of the OpenMP backend, for tests that call a pass by itself and look into its arrays.
 namespace thalweg::test {

@@ -1,4 +1,4 @@
-#include "solver/schedule.hpp"
+#include "solver/program/schedule.hpp"
 
 #include "solver/step.hpp"
 

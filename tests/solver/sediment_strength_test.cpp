@@ -1,4 +1,4 @@
-#include "solver/passes/sediment_strength.hpp"
+#include "solver/models/bed/sediment_strength.hpp"
 
 #include <gtest/gtest.h>
 

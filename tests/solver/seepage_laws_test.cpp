@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "solver/physics/consolidation.hpp"
-#include "solver/physics/ergun.hpp"
-#include "solver/physics/kernel.hpp"
+#include "physics/kernel.hpp"
+#include "physics/seepage/consolidation.hpp"
+#include "physics/seepage/ergun.hpp"
 
 namespace thalweg {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/physics/slope_factor.hpp"
+#include "physics/transport/slope_factor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "solver/physics/bed_load.hpp"
-#include "solver/physics/lift_settling.hpp"
-#include "solver/physics/pick_up.hpp"
+#include "physics/transport/bed_load.hpp"
+#include "physics/transport/lift_settling.hpp"
+#include "physics/transport/pick_up.hpp"
 
 namespace thalweg {
 namespace {

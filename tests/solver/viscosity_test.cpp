@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scenes.hpp"
-#include "solver/passes/viscous_step.hpp"
+#include "solver/models/implicit/viscous_step.hpp"
 
 namespace thalweg {
 namespace {

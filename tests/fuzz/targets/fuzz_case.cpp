@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/case_file.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,0 +1,23 @@
+#include "case/scales.hpp"
+
+#include <cmath>
+
+#include "common/error.hpp"
+
+namespace thalweg {
+
+double maximum_speed(const Case& resolved, double fluid_height) {
+  if (resolved.numerics.maximum_speed > 0) return resolved.numerics.maximum_speed;
+  const double speed = 2 * std::sqrt(resolved.domain.gravity.norm() * fluid_height);
+  if (!(speed > 0))
+    throw InputError(resolved.file.string() +
+                     ": without gravity the sound speed cannot follow from the fluid's height; give "
+                     "numerics.maximum_speed, the largest speed you expect");
+  return speed;
+}
+
+double sound_speed(const Case& resolved, double fluid_height) {
+  return resolved.numerics.sound_speed_factor * maximum_speed(resolved, fluid_height);
+}
+
+}  // namespace thalweg

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cmath>
+
+#include "physics/host_device.hpp"
+
+namespace thalweg {
+
+/// Shields number [-] at which a flat bed begins to move, at grain Reynolds number R* = u* d/nu [-]; the paper's (16):
+///   0.010595 ln R* + 0.110476/R* + 0.0027197   1 < R* <= 500
+///   0.068                                      R* > 500
+///   0.1                                        R* <= 1, where the fit grows without bound
+/// A fit of Shields' curve; the same constants and the same bound below in SPHERA (Shields.f90). The pieces do not
+/// meet: 0.1132 at R* = 1+ and 0.0688 at 500-. Smallest, 0.03815, at R* = 10.4; 0.0526 at 100.
+template <class Real>
+HOST_DEVICE inline Real critical_shields_number(Real grain_reynolds) {
+  using std::log;
+  if (!(grain_reynolds > 1)) return Real(0.1);
+  if (grain_reynolds > 500) return Real(0.068);
+  return Real(0.010595) * log(grain_reynolds) + Real(0.110476) / grain_reynolds + Real(0.0027197);
+}
+
+}  // namespace thalweg

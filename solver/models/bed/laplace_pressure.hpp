@@ -1,0 +1,184 @@
+#pragma once
+
+#include <cmath>
+
+#include "physics/sediment/effective_pressure.hpp"
+#include "solver/state/particles.hpp"
+
+// Effective pressure from Laplace's equation in the bed (the theory of GPUSPH):
+//   lap p_eff = 0 in the bed,   p_eff = w dp in its top layer,   p_w = sum_s [p_s + w g^ . (x_w - x_s)] V_s W/sum_s V_s
+//   W
+// at walls, w = (rho_bed - rho_pore) g and g^ the direction of gravity, so that a bed on a wall carries its weight.
+// With the kernel's Laplacian the first is p_a = sum_b V_b F p_b/sum_b V_b F over sediment and walls, iterated (Jacobi)
+// from the pressures of the last step; from the columns' weight where there are none. Every sweep reads the last one's
+// pressures from the records' work quad and writes beside the records, so that the order of particles does not matter.
+namespace thalweg {
+
+namespace laplace {
+
+inline constexpr int most_sweeps = 1000;
+
+/// What the records' work quad holds during the iteration.
+inline constexpr int pressure = 0;  // [Pa]
+inline constexpr int in_top_layer = 1;
+
+/// Share of its neighbourhood that sediment and walls fill, below which a particle is in the top layer: 0.75 for the
+/// top layer of a lattice with h = 1.5 dp and 0.99 for the next, 0.68 and 0.92 with h = 2.1 dp.
+template <int Dim>
+float full_share(const Scene<Dim>& scene) {
+  return scene.smoothing_length <= 1.5 * scene.spacing ? 0.85F : 0.81F;
+}
+
+/// Pair sweep: marks the sediment of the top layer.
+template <int Dim>
+struct TopLayerSweep {
+  static constexpr unsigned quads = quad_place | quad_matter;
+  template <class L>
+  struct Sum {
+    L share;
+  };
+
+  Record* records;
+  Scene<Dim> scene;
+  float full;
+
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT&, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
+    const L W = scene.kernel.value(scene.kernel.closeness(lane_sqrt(s.r2)));
+    sum.share += lane_select(b.phase == L(phase_water), L(0.0F), b.volume * W);
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    records[i].work[in_top_layer] = sum.share < full ? 1.0F : 0.0F;
+  }
+};
+
+/// Pair sweep: one Jacobi iteration in the bed. A particle's own pressure does not enter, which is fastest.
+template <int Dim>
+struct JacobiSweep {
+  static constexpr unsigned quads = quad_place | quad_matter | quad_work;
+  template <class L>
+  struct Sum {
+    L weight;
+    L pressure;
+  };
+
+  const Record* records;
+  Sediment* sediment;
+  Scene<Dim> scene;
+  float top_pressure;  // [Pa]
+
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT&, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
+    const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
+    const L bed = lane_select(b.phase == L(phase_water), L(0.0F), -b.volume * F);
+    const L weight = lane_select(s.r2 > L(0.0F), bed, L(0.0F));
+    sum.weight += weight;
+    sum.pressure += weight * b.work[pressure];
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    if (records[i].phase != phase_sediment) return;
+    const bool known = records[i].work[in_top_layer] != 0 || !(sum.weight > 0);
+    sediment[i].effective_pressure = known ? top_pressure : sum.pressure / sum.weight;
+  }
+};
+
+/// Pair sweep over wall particles: pressure of the sediment in reach with the weight between, not below zero.
+template <int Dim>
+struct WallSweep {
+  static constexpr unsigned quads = quad_place | quad_matter | quad_work;
+  template <class L>
+  struct Sum {
+    L weight;
+    L pressure;
+  };
+
+  Sediment* sediment;
+  Scene<Dim> scene;
+  Vec<Dim, float> submerged_weight;  // (rho_bed - rho_pore) g as a vector [N/m^3]
+
+  template <class LaneT, class Sep, class L>
+  HOST_DEVICE void pair(const LaneT&, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
+    const L W = scene.kernel.value(scene.kernel.closeness(lane_sqrt(s.r2)));
+    const L weight = lane_select(b.phase == L(phase_sediment), b.volume * W, L(0.0F));
+    L between = s.r[0] * L(submerged_weight[0]);
+    for (int k = 1; k < Dim; ++k) between = between + s.r[k] * L(submerged_weight[k]);
+    sum.weight += weight;
+    sum.pressure += weight * (b.work[pressure] + between);
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    const float p = sum.weight > 0 ? sum.pressure / sum.weight : 0;
+    sediment[i].effective_pressure = p > 0 ? p : 0;
+  }
+};
+
+/// Takes over what a sweep found; returns the largest change [Pa].
+template <class Device, class Wanted>
+float take_over(Device& on, Record* records, const Sediment* sediment, Index count, const Wanted& wanted) {
+  return on.reduce(
+      count, 0.0F,
+      [=] HOST_DEVICE(Index i) {
+        if (!wanted(records[i])) return 0.0F;
+        const float change = fabsf(sediment[i].effective_pressure - records[i].work[pressure]);
+        records[i].work[pressure] = sediment[i].effective_pressure;
+        return change;
+      },
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
+}
+
+}  // namespace laplace
+
+/// Largest effective pressure of the sediment [Pa]; 0 before the first solve.
+template <class Device>
+float largest_effective_pressure(Device& on, const Particles<Device>& p) {
+  const Record* records = p.record.data();
+  const Sediment* sediment = p.sediment.data();
+  return on.reduce(
+      p.fluid_count, 0.0F,
+      [=] HOST_DEVICE(Index i) { return records[i].phase == phase_sediment ? sediment[i].effective_pressure : 0.0F; },
+      [] HOST_DEVICE(float a, float b) { return a > b ? a : b; });
+}
+
+/// Solves for the effective pressure of all sediment, starting from the one it has. Stops when no pressure changes by
+/// more than scene.sediment.laplace_tolerance in a sweep, or after laplace::most_sweeps. Returns the sweeps made.
+template <int Dim, class Device>
+int solve_laplace_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  using namespace laplace;
+  Record* records = p.record.data();
+  Sediment* sediment = p.sediment.data();
+  const auto sweep = [&](const ClusterRange& range, const auto& body) {
+    on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body);
+  };
+  const auto is_sediment = [] HOST_DEVICE(const Record& r) { return r.phase == phase_sediment; };
+  const auto is_wall = [] HOST_DEVICE(const Record& r) { return r.phase == phase_wall; };
+  const SedimentScene& law = scene.sediment;
+  Vec<Dim, float> submerged_weight{};
+  submerged_weight.vertical() = -law.submerged_weight;
+  const auto top_pressure = law.submerged_weight * static_cast<float>(scene.spacing);
+  const WallSweep<Dim> at_walls{sediment, scene, submerged_weight};
+  const JacobiSweep<Dim> in_the_bed{records, sediment, scene, top_pressure};
+
+  on.for_each(p.count, [=] HOST_DEVICE(Index i) {
+    for (float& w : records[i].work) w = 0;
+    records[i].work[pressure] = sediment[i].effective_pressure;
+  });
+  sweep(p.near_sediment(), TopLayerSweep<Dim>{records, scene, full_share(scene)});
+  int sweeps = 0;
+  float change = INFINITY;
+  while (change > law.laplace_tolerance && sweeps < most_sweeps) {
+    sweep(p.walls_near_fluid(), at_walls);
+    take_over(on, records, sediment, p.count, is_wall);
+    sweep(p.near_sediment(), in_the_bed);
+    change = take_over(on, records, sediment, p.fluid_count, is_sediment);
+    ++sweeps;
+  }
+  // The viscous solve needs the quad next, and walls standing still in it.
+  on.for_each(p.count, [=] HOST_DEVICE(Index i) {
+    for (float& w : records[i].work) w = 0;
+  });
+  return sweeps;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,36 @@
+#include <CLI/CLI.hpp>
+
+#include "common/command_line.hpp"
+#include "common/error.hpp"
+#include "solver/program/run.hpp"
+
+namespace {
+
+int solver(int argc, char** argv) {
+  CLI::App app("Runs the two-phase SPH solver on a folder that thalweg-gencase has filled.", "thalweg-solver");
+  thalweg::RunOptions options;
+  app.add_option("DIR", options.folder, "Run folder with particles.vtp and case.resolved.toml")->required();
+  app.add_option("--backend", options.backend, "Device: auto (a GPU if there is one), cuda, openmp")
+      ->capture_default_str();
+  app.add_option("--isa", options.instruction_set, "Instruction set of the CPU core: auto, avx512, avx2, baseline")
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "CPU threads; 0: all cores")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  app.add_option("--restart", options.restart, "Continue from this checkpoint");
+  app.add_option("--until", options.until, "Stop at this physical time instead of output.end, e.g. \"0.5 s\"");
+  app.add_flag("--profile", options.profile,
+               "Wait for the GPU after every heading of timing.csv, so that each has its own time; slower");
+  app.add_option("--benchmark", options.benchmark,
+                 "Take so many steps and write nothing but summary.csv and timing.csv")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--deterministic")->description("For scripts: results never depend on the number of threads anyway");
+  app.add_option("--set", options.overrides,
+                 "Change a key of the case, e.g. numerics.cfl=0.2 (numerics, model, output)");
+  if (const auto status = thalweg::parse_command_line(app, argc, argv)) return *status;
+  return static_cast<int>(thalweg::run_solver(options));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return thalweg::run_program(solver, argc, argv); }

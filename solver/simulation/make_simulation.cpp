@@ -1,0 +1,151 @@
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "common/error.hpp"
+#include "common/memory.hpp"
+#include "common/units.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace thalweg {
+namespace {
+
+using Maker = Simulation* (*)(const SimulationInput*);
+using DeviceProblem = const char* (*)();
+using DeviceMemory = double (*)();
+
+struct Core {
+  const char* instruction_set;
+  bool (*runs_here)();
+};
+
+const std::array<Core, 3> openmp_cores = {{
+#if defined(__x86_64__)
+    {"avx512",
+     [] {
+       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+              __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0;
+     }},
+    {"avx2", [] { return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0; }},
+#else
+    {"avx512", [] { return false; }},
+    {"avx2", [] { return false; }},
+#endif
+    {"baseline", [] { return true; }},
+}};
+
+/// Where core module `name` lies, beside the program or in ../lib/thalweg of an installed tree; empty if nowhere.
+std::filesystem::path find_core(const std::string& name) {
+  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::string file = "thalweg_core_" + name + ".so";
+  for (const auto& folder : {program, program.parent_path() / "lib" / "thalweg", program.parent_path() / "bin"}) {
+    if (std::filesystem::exists(folder / file)) return folder / file;
+  }
+  return {};
+}
+
+/// A core module, loaded to the end of the process.
+class Module {
+ public:
+  explicit Module(const std::string& name) {
+    // Read when the OpenMP library is loaded, which the core does. Threads that spin while they wait for one another
+    // are ten times slower on a busy machine (16.8 s against 1.4 s measured, two threads on two loaded cores); some
+    // thousand turns before they sleep make Louvain with 62 500 particles a fifth faster on an idle one
+    // (bench/results). The user's own settings are kept.
+    if (getenv("OMP_WAIT_POLICY") == nullptr) setenv("GOMP_SPINCOUNT", "5000", 0);
+    setenv("OMP_WAIT_POLICY", "passive", 0);
+    const auto file = find_core(name);
+    if (file.empty()) fail(name, "not found beside the program");
+    handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_ == nullptr) fail(name, dlerror());
+  }
+
+  template <class Function>
+  Function function(const char* symbol) const {
+    // Data pointer to function pointer: the conversion dlsym is made for.
+    return reinterpret_cast<Function>(dlsym(handle_, symbol));
+  }
+
+  [[nodiscard]] std::unique_ptr<Simulation> make(const SimulationInput& input) const {
+    return std::unique_ptr<Simulation>(function<Maker>("thalweg_make_simulation")(&input));
+  }
+
+ private:
+  [[noreturn]] static void fail(const std::string& name, const std::string& problem) {
+    throw RunError("cannot load thalweg_core_" + name + ".so: " + problem + "; build or install Thalweg again");
+  }
+  void* handle_ = nullptr;
+};
+
+/// Refuses a scene that the device cannot hold, before anything is allocated.
+void check_memory(const SimulationInput& input, double available) {
+  std::visit(
+      [&](const auto& scene) {
+        constexpr int dimension = std::is_same_v<std::decay_t<decltype(scene)>, Scene<3>> ? 3 : 2;
+        const auto particles = static_cast<double>(input.particles->size());
+        const double needed = estimate_memory(particles, dimension).gpu;
+        if (needed <= available) return;
+        throw InputError(
+            fmt::format("--backend cuda: {:.3g} particles need {} on the GPU, which has {} free; fill the scene with a "
+                        "spacing of {} "
+                        "or more (numerics.spacing), or use --backend openmp",
+                        particles, format_bytes(needed), format_bytes(available),
+                        format_quantity(spacing_that_fits(scene.spacing, needed, available, dimension), "m")));
+      },
+      input.scene);
+}
+
+/// On the GPU; nullptr where there is none to be used and nobody insists.
+std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insist) {
+  if (find_core("cuda").empty()) {
+    if (!insist) return nullptr;
+    throw InputError(
+        "--backend cuda: this build has no CUDA core; configure with -DTHALWEG_CUDA=ON where the CUDA Toolkit is, or "
+        "use "
+        "--backend openmp");
+  }
+  const Module core("cuda");
+  const std::string problem = core.function<DeviceProblem>("thalweg_device_problem")();
+  if (!problem.empty()) {
+    if (!insist) return nullptr;
+    throw InputError("--backend cuda: " + problem);
+  }
+  check_memory(input, core.function<DeviceMemory>("thalweg_device_memory")());
+  return core.make(input);
+}
+
+std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, const std::string& instruction_set) {
+  for (const Core& core : openmp_cores) {
+    if (instruction_set != "auto" && instruction_set != core.instruction_set) continue;
+    const char* precision = input.double_pair_sums ? "_double" : "";
+    if (core.runs_here()) return Module(fmt::format("openmp_{}{}", core.instruction_set, precision)).make(input);
+  }
+  throw InputError("--isa " + instruction_set +
+                   ": this processor does not have it; leave --isa away to use the best it has, or name one of avx512, "
+                   "avx2, baseline");
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const std::string& backend,
+                                            const std::string& instruction_set) {
+  if (backend != "auto" && backend != "openmp" && backend != "cuda") {
+    throw InputError("--backend " + backend + ": no such device; use auto, cuda or openmp");
+  }
+  if (backend == "cuda" && input.double_pair_sums) {
+    throw InputError(
+        "--backend cuda: pair sums are single there and numerics.precision asks for double; set it to \"single\", or "
+        "use --backend openmp");
+  }
+  // Who names an instruction set or double sums means a CPU.
+  const bool may_use_gpu =
+      backend == "cuda" || (backend == "auto" && instruction_set == "auto" && !input.double_pair_sums);
+  auto on_gpu = may_use_gpu ? make_on_gpu(input, backend == "cuda") : nullptr;
+  return on_gpu != nullptr ? std::move(on_gpu) : make_on_cores(input, instruction_set);
+}
+
+}  // namespace thalweg

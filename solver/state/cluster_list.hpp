@@ -1,0 +1,46 @@
+#pragma once
+
+#include "solver/state/record.hpp"
+
+namespace thalweg {
+
+/// Particles per cluster: this many consecutive particles share one neighbour list.
+inline constexpr Index cluster_size = 4;
+/// Lists are padded to a multiple of this with a record of zero volume, so that a sweep needs no remainder loop.
+inline constexpr Index list_padding = 4;
+/// How far a filter may read beyond the particles it is asked about (the widest pack).
+inline constexpr Index filter_overrun = 16;
+/// How far ahead of a sweep neighbours are prefetched; the entries end with twice as many spare ones. So many records
+/// fill a quarter of the first cache: with 12, sweeps beyond the caches took a fifth longer, with 384 no less.
+inline constexpr Index list_prefetch = 192;
+
+/// What a sweep needs to know of the neighbour lists; views, valid until the next rebuild.
+/// Cluster c < fluid_clusters holds particles 4c … of the fluid [0, fluid_count), the others those of the walls
+/// [fluid_count, count). entries[begin[c] … begin[c+1]) are its neighbours, itself included.
+struct ClusterList {
+  const Index* begin;
+  const Index* entries;
+  Index fluid_clusters;
+  Index clusters;
+  Index fluid_count;
+  Index count;
+
+  HOST_DEVICE Index first(Index c) const {
+    return c < fluid_clusters ? c * cluster_size : fluid_count + (c - fluid_clusters) * cluster_size;
+  }
+  HOST_DEVICE Index last(Index c) const {
+    const Index end = first(c) + cluster_size;
+    const Index limit = c < fluid_clusters ? fluid_count : count;
+    return end < limit ? end : limit;
+  }
+};
+
+/// Which clusters a sweep visits: all of [0, count), or those named in `clusters`.
+struct ClusterRange {
+  const Index* clusters;  // nullptr: 0, 1, 2 …
+  Index count;
+
+  HOST_DEVICE Index operator[](Index i) const { return clusters == nullptr ? i : clusters[i]; }
+};
+
+}  // namespace thalweg
