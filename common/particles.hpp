@@ -54,6 +54,9 @@ struct ParticleSet {
   std::map<std::string, std::vector<float>> scalars;
   std::map<std::string, std::vector<double>> doubles;
 
+  /// Numbers about the whole set that a restart needs, by their name; FieldData of the file.
+  std::map<std::string, std::vector<double>> facts;
+
   [[nodiscard]] std::size_t size() const { return id.size(); }
 };
 

@@ -1,46 +1,38 @@
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
-#include "solver/lists/neighbours.hpp"
-#include "solver/models/bed/sediment_strength.hpp"
-#include "solver/models/implicit/viscous_step.hpp"
-#include "solver/models/moving_walls/moving_walls.hpp"
-#include "solver/models/pore_pressure/pore_pressure.hpp"
-#include "solver/models/rest/rest.hpp"
-#include "solver/models/seepage/mixture.hpp"
-#include "solver/models/states/bed_states.hpp"
-#include "solver/models/two_pass/two_pass.hpp"
-#include "solver/passes/continuity.hpp"
+#include "solver/lists/rebuild.hpp"
+#include "solver/models/all.hpp"
 #include "solver/passes/integrate.hpp"
 #include "solver/passes/momentum.hpp"
 #include "solver/passes/pressure.hpp"
 #include "solver/passes/time_step.hpp"
 #include "solver/timing.hpp"
 
+// THE algorithm. What stands here is the water and the order of the stages; models take part in the stages, or take
+// them over (models/stages.hpp).
 namespace thalweg {
 
-/// What the step keeps between calls beside the particles.
-template <class Device>
-struct Workspace {
-  ViscousSystem<Device> viscous;
-  ColumnWeight<Device> weight;
-  Mixture<Device> mixture;
-  PoreDiffusion<Device> pore_diffusion;
-  typename Device::template Buffer<StepState> state;  // one, of the step under way
-  typename Device::template Buffer<StepStart> start;  // of the particles; empty unless scene.two_pass
-  std::int64_t list_rebuilds = 0;
-  std::vector<WallMotion> motions;
-  double time = 0;            // [s] at the start of the step
-  bool walls_moving = false;  // at the start of the last step
+/// What the stages of a step work with.
+template <int Dim, class Device>
+struct Step {
+  static constexpr int dimension = Dim;
+  using OnDevice = Device;
 
-  std::optional<float> squared_drift;  // [m^2] StepState's after the last step, where it is known
-  bool new_lists = false;              // made since the last step
-  int viscous_iterations = 0;          // of the last step
-  std::uint64_t lists = 1;             // counts changes of any list of clusters
-  std::uint64_t lists_before = 0;      // the same at the start of the last step
+  Device& on;
+  Particles<Device>& p;
+  const Scene<Dim>& scene;
+  Workspace<Device>& work;
+  Timing& timing;
+  StepState* state = nullptr;  // on the device
+  StepState now = {};          // on the host, as last written or read
+
+  template <class What>
+  void time(const char* heading, const What& what) {
+    timing.time(heading, what);
+  }
 };
 
 struct StepResult {
@@ -54,17 +46,23 @@ inline bool has_diverged(const StepResult& result) {
   return has_diverged(result.step.extremes) || !result.viscous.converged;
 }
 
-/// Takes out particles that have left the domain and makes new lists, if some particle has used up its skin.
+/// Finds how far particles have moved since the lists were made, among all that can move.
+template <int Dim, class Device>
+void find_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
+  neighbours::find_squared_drift(on, p, scene, scene.has_moving_walls ? p.count : p.fluid_count, state);
+}
+
+/// Takes out particles that have left the domain and makes new lists, if some particle has moved half the skin.
 template <int Dim, class Device>
 std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
                                                  Workspace<Device>& work) {
   work.state.resize(1);
   if (!work.squared_drift && !p.listed_at.empty()) {
-    neighbours::find_squared_drift(on, p, scene, work.state.data());
-    work.squared_drift = on.look(work.state.data()).squared_drift;
+    find_drift(on, p, scene, work.state.data());
+    work.squared_drift = on.read(work.state.data()).squared_drift;
   }
-  if (!p.listed_at.empty() && !are_worn_out(scene, *work.squared_drift)) return {};
-  auto excluded = rebuild_lists(on, p, scene);
+  if (!p.listed_at.empty() && !must_rebuild_lists(scene, *work.squared_drift)) return {};
+  auto excluded = rebuild_lists(on, p, scene, work.population);
   work.new_lists = true;
   work.squared_drift = 0;
   ++work.list_rebuilds;
@@ -72,185 +70,104 @@ std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& 
   return excluded;
 }
 
-/// The two-pass integrator's accelerations and density rates: of half-way (models/two_pass/two_pass.hpp).
+/// Chooses the step; where the run has diverged nothing more goes on.
 template <int Dim, class Device>
-void evaluate_half_way(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace<Device>& work,
-                       Timing& timing) {
-  using H = Heading;
-  timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
-  timing.time(H::drift, [&] { go_half_way(on, p, scene, work.state.data(), work.start); });
-  timing.time(H::apply_equation_of_state, [&] { apply_equation_of_state(on, p, scene); });
-  timing.time(H::extrapolate_to_walls, [&] {
-    if (p.any_resting) extrapolate_to_resting(on, p, scene);
-    extrapolate_to_walls(on, p, scene);
-  });
-  timing.time(H::compute_accelerations, [&] { compute_accelerations(on, p, scene); });
-  timing.time(H::compute_density_rates, [&] { compute_density_rates(on, p, scene); });
-  timing.time(H::drift, [&] { take_back_velocities(on, p, work.start); });
+void stable_time_step(Step<Dim, Device>& s) {
+  StepState* const state = s.state;
+  const Scene<Dim> scene = s.scene;
+  s.on.for_each(1, declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index) {
+                  choose_water_step(scene, *state);
+                  AllModels::limit(scene, *state);
+                  state->go = state->moves = has_diverged(state->step.extremes) ? 0 : 1;
+                  land_on_output(state->step, state->longest);
+                }));
 }
 
-/// The step up to the viscous part of its velocities. Returns the sweeps that the effective pressure took.
+/// The step up to the implicit part of its velocities.
 template <int Dim, class Device>
-int begin_step(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace<Device>& work, Timing& timing) {
-  using H = Heading;
-  StepState* const state = work.state.data();
-  const bool mixture = scene.seepage.mixture;
-  bool walls_turned = false;  // started or stopped
-  if (scene.has_moving_walls) {
-    timing.time(H::move_walls, [&] {
-      const bool moving = hold_walls(on, p, scene, work.motions, work.time);
-      walls_turned = moving != work.walls_moving;
-      work.walls_moving = moving;
-    });
-  }
-  timing.time(H::apply_equation_of_state, [&] {
-    mixture ? apply_mixture_state(on, p, scene, work.mixture) : apply_equation_of_state(on, p, scene);
-  });
-  // Pore pressure takes from the weight in every step.
-  if ((work.new_lists || scene.seepage.pore_pressure) && scene.has_sediment) {
-    timing.time(H::weigh_sediment, [&] { weigh_sediment(on, p, scene, work.weight); });
-  }
-  if ((work.new_lists || walls_turned) && scene.may_rest) {
-    timing.time(H::update_rest, [&] { list_active_clusters(on, p); });
-  }
-  timing.time(H::extrapolate_to_walls, [&] {
-    if (p.any_resting) extrapolate_to_resting(on, p, scene);
-    mixture ? extrapolate_mixture_to_walls(on, p, scene) : extrapolate_to_walls(on, p, scene);
-  });
-  int pressure_sweeps = 0;
-  if (scene.has_sediment) {
-    timing.time(H::apply_rheology, [&] {
-      pressure_sweeps = solve_effective_pressure(on, p, scene);
-      apply_rheology(on, p, scene);
-    });
-  }
-  timing.time(H::compute_accelerations, [&] {
-    mixture ? compute_mixture_accelerations(on, p, scene, work.mixture) : compute_accelerations(on, p, scene);
-  });
-  timing.time(H::stable_time_step, [&] { stable_time_step(on, p, scene, state); });
-  on.only_if(&state->go);
-  if (scene.two_pass) evaluate_half_way(on, p, scene, work, timing);
-  timing.time(H::kick, [&] { kick(on, p, state); });
-  if (scene.has_sediment && scene.has_moving_walls) {  // viscosity drags at the velocity the walls go with
-    timing.time(H::move_walls, [&] { move_walls(on, p, scene, work.motions, work.time, on.look(&state->step.dt), 0); });
-  }
-  if (scene.has_sediment) {
-    timing.time(H::solve_viscosity, [&] { begin_viscosity(on, p, scene, work.mixture, work.viscous, state); });
-  }
-  on.only_if(nullptr);
-  return pressure_sweeps;
+void begin_step(Step<Dim, Device>& s) {
+  auto& on = s.on;
+  auto& p = s.p;
+  const auto& scene = s.scene;
+  AllModels::all<stage::AtStart>(s);
+  AllModels::first<stage::AtState>(s, [&] { apply_equation_of_state(on, p, scene); });
+  AllModels::all<stage::AtLists>(s);
+  AllModels::all<stage::AtBoundaries>(s);
+  AllModels::first<stage::AtWalls>(s, [&] { extrapolate_to_walls(on, p, scene); });
+  AllModels::all<stage::AtStrength>(s);
+  AllModels::first<stage::AtForces>(s, [&] { compute_accelerations(on, p, scene); });
+  s.time("stable_time_step", [&] { find_extremes(on, p, s.state); });
+  AllModels::all<stage::FindLimits>(s);
+  s.time("stable_time_step", [&] { stable_time_step(s); });
+  on.skip_unless(&s.state->go);
+  AllModels::all<stage::AtMidpoint>(s);
+  AllModels::first<stage::AtKick>(s, [&] { kick(on, p, s.state); });
+  AllModels::all<stage::BeginImplicit>(s);
+  on.skip_unless(nullptr);
 }
 
-/// The rest of the step, unless the run has diverged or the viscous part is not at its end.
+/// Leapfrog's places and densities.
 template <int Dim, class Device>
-void end_step(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace<Device>& work, Timing& timing) {
-  using H = Heading;
-  StepState* const state = work.state.data();
-  const bool mixture = scene.seepage.mixture;
-  if (scene.has_sediment) {
-    timing.time(H::solve_viscosity, [&] { end_viscosity(on, p, scene, work.viscous, state); });
-  }
-  on.only_if(&state->moves);
-  const double dt_of_walls = scene.has_moving_walls ? on.look(&state->step.dt) : 0;  // viscosity may have shortened it
-  const auto move_walls_by = [&](double share) {
-    if (!scene.has_moving_walls) return;
-    timing.time(H::move_walls, [&] { move_walls(on, p, scene, work.motions, work.time, dt_of_walls, share); });
-  };
-  if (scene.two_pass) {
-    timing.time(H::drift, [&] { go_all_the_way(on, p, scene, state, work.start); });
-  } else {
-    timing.time(H::drift, [&] { drift(on, p, scene, state, 0.5); });
-    move_walls_by(0.5);
-    timing.time(H::compute_density_rates, [&] {
-      mixture ? compute_mixture_density_rates(on, p, scene, work.mixture) : compute_density_rates(on, p, scene);
-    });
-    timing.time(H::update_density, [&] { update_density(on, p, state); });
-    timing.time(H::drift, [&] { drift(on, p, scene, state, 0.5); });
-    move_walls_by(1);
-  }
-  if (scene.seepage.pore_pressure) {
-    timing.time(H::advance_pore_pressure,
-                [&] { advance_pore_pressure(on, p, scene, work.pore_diffusion, state, longest_stable_step(scene)); });
-  }
-  if (scene.has_states) {
-    timing.time(H::update_bed_states, [&] {
-      if (work.new_lists) clear_bed_surface(on, p);
-      update_bed_states(on, p, scene, state);
-    });
-  }
-  if (scene.may_rest) {
-    timing.time(H::update_rest, [&] {
-      if (work.walls_moving) wake_beside_moving_walls(on, p, scene, state);
-      update_rest(on, p, scene, state);
-    });
-  }
-  timing.time(H::refresh_neighbours, [&] { neighbours::find_squared_drift(on, p, scene, state); });
-  on.only_if(nullptr);
+void move_by_leapfrog(Step<Dim, Device>& s) {
+  auto& on = s.on;
+  auto& p = s.p;
+  const auto& scene = s.scene;
+  drift(on, p, scene, s.state, 0.5);
+  AllModels::all<stage::AtHalfWay>(s);
+  AllModels::first<stage::AtRates>(s, [&] { compute_density_rates(on, p, scene); });
+  s.time("update_density", [&] { update_density(on, p, s.state); });
+  s.time("drift", [&] { drift(on, p, scene, s.state, 0.5); });
+  AllModels::all<stage::AtArrival>(s);
+}
+
+/// The rest of the step, unless the run has diverged or the implicit part is not at its end.
+template <int Dim, class Device>
+void end_step(Step<Dim, Device>& s) {
+  AllModels::all<stage::IterateImplicit>(s);
+  AllModels::all<stage::EndImplicit>(s);
+  s.on.skip_unless(&s.state->moves);
+  AllModels::all<stage::BeforeMotion>(s);
+  AllModels::first<stage::AtMotion>(s, [&] { move_by_leapfrog(s); });
+  AllModels::all<stage::AfterStep>(s);
+  s.time("refresh_neighbours", [&] { find_drift(s.on, s.p, s.scene, s.state); });
+  s.on.skip_unless(nullptr);
 }
 
 /// What the launches of a step depend on beside numbers on the device; 0 where that is something else every time, or
 /// the host has to look at the device meanwhile. The first step with new lists is one of those, and grows the buffers
 /// that later ones use.
 template <int Dim, class Device>
-std::uint64_t launches_key(const Particles<Device>& p, const Scene<Dim>& scene, const Workspace<Device>& work,
-                           int iterations, const Timing& timing) {
+std::uint64_t launches_key(Step<Dim, Device>& s) {
   constexpr Index most_particles = 500000;  // with more, launching is quick beside what is launched
-  const bool varies = work.new_lists || work.lists != work.lists_before || scene.has_moving_walls ||
-                      scene.sediment.effective_pressure == EffectivePressure::laplace || timing.waits();
-  if (varies || p.count > most_particles) return 0;
-  return work.lists << 20 | static_cast<std::uint64_t>(iterations);
+  const bool varies =
+      s.work.new_lists || s.work.lists != s.work.lists_before || AllModels::vary(s.scene) || s.timing.waits();
+  if (varies || s.p.count > most_particles) return 0;
+  return s.work.lists << 20 | static_cast<std::uint64_t>(ViscosityModel::iterations_ahead(s));
 }
 
-/// THE algorithm: one step in time, at most `longest` seconds. The host hands all of it to the device and waits once,
-/// at the end: for what came of it, and whether lists have to be made anew before the next.
+/// One step in time, at most `longest` seconds. The host hands all of it to the device and waits once, at the end: for
+/// what came of it, and whether lists have to be made anew before the next.
 template <int Dim, class Device>
 StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace<Device>& work, double longest,
                    Timing& timing) {
   StepResult result;
-  timing.time(Heading::refresh_neighbours, [&] { result.excluded = refresh_neighbours(on, p, scene, work); });
-  StepState* const state = work.state.data();
-  StepState now;
-  now.longest = longest;
-  on.send(now, state);
-
-  // A device that works ahead of the host is given a few iterations more than the last step took, in fours, so that
-  // the launches are often the same.
-  const int ahead = Device::is_host ? scene.viscous_iterations : std::min(work.viscous_iterations / 4 * 4 + 4, 1000);
-  const auto iterate_and_end = [&] {
-    if (scene.has_sediment) {
-      timing.time(Heading::solve_viscosity, [&] { iterate_viscosity(on, p, scene, work.viscous, state, ahead); });
-    }
-    end_step(on, p, scene, work, timing);
-  };
-  on.repeat(launches_key(p, scene, work, ahead, timing), [&] {
-    result.pressure_sweeps = begin_step(on, p, scene, work, timing);
-    iterate_and_end();
+  timing.time("refresh_neighbours", [&] { result.excluded = refresh_neighbours(on, p, scene, work); });
+  Step<Dim, Device> s{on, p, scene, work, timing, work.state.data(), {}};
+  s.now.longest = longest;
+  on.write(s.now, s.state);
+  on.repeat(launches_key(s), [&] {
+    begin_step(s);
+    end_step(s);
   });
   work.lists_before = work.lists;
-  now = on.look(state);
-  int iterations = 0;  // of solves that failed
-  while (now.viscous.running != 0 || viscosity::may_retry(now.viscous, result.viscous.retries)) {
-    if (now.viscous.running == 0) {
-      iterations += now.viscous.iterations;
-      viscosity::prepare_retry(on, p, state, result.viscous.retries > 0);
-      begin_viscosity(on, p, scene, work.mixture, work.viscous, state);
-      ++result.viscous.retries;
-    }
-    iterate_and_end();
-    now = on.look(state);
-  }
-  if (now.woken + now.stopped > 0) {
-    timing.time(Heading::update_rest, [&] { list_active_clusters(on, p); });
-    ++work.lists;
-  }
+  s.now = on.read(s.state);
+  ViscosityModel::finish(s, [&] { end_step(s); });
+  AllModels::all<stage::AfterReading>(s);
   work.new_lists = false;
-  work.squared_drift = now.squared_drift;
-  work.viscous_iterations = now.viscous.iterations;
-  result.step = now.step;
-  result.viscous.iterations = iterations + now.viscous.iterations;
-  result.viscous.residual = now.viscous.residual;
-  result.viscous.converged = now.viscous.converged != 0;
-  result.viscous.capped = now.capped;
+  work.squared_drift = s.now.squared_drift;
+  result.step = s.now.step;
+  result.viscous = work.viscous_result;
+  result.pressure_sweeps = work.pressure_sweeps;
   return result;
 }
 

@@ -1,67 +1,29 @@
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <functional>
+#include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace thalweg {
 
-/// The headings of the timing report are the lines of the step (step.hpp).
-enum class Heading {
-  move_walls,
-  refresh_neighbours,
-  apply_equation_of_state,
-  extrapolate_to_walls,
-  weigh_sediment,
-  update_bed_states,
-  apply_rheology,
-  compute_accelerations,
-  stable_time_step,
-  kick,
-  solve_viscosity,
-  drift,
-  compute_density_rates,
-  update_density,
-  advance_pore_pressure,
-  update_rest,
-  output,
-  count
-};
-
-inline constexpr std::array<const char*, static_cast<std::size_t>(Heading::count)> heading_names = {
-    "move_walls",
-    "refresh_neighbours",
-    "apply_equation_of_state",
-    "extrapolate_to_walls",
-    "weigh_sediment",
-    "update_bed_states",
-    "apply_rheology",
-    "compute_accelerations",
-    "stable_time_step",
-    "kick",
-    "solve_viscosity",
-    "drift",
-    "compute_density_rates",
-    "update_density",
-    "advance_pore_pressure",
-    "update_rest",
-    "output"};
-
-/// Seconds and calls per heading.
+/// Seconds and calls by heading, in the order in which headings first appear: the lines of the step (step.hpp), and
+/// what models call their own.
 class Timing {
  public:
   struct Entry {
+    std::string_view heading;  // a literal
     double seconds = 0;
     long calls = 0;
   };
 
-  /// Runs what() and books its time under the heading.
+  /// Runs what() and books its time under the heading, a literal.
   template <class What>
-  decltype(auto) time(Heading heading, const What& what) {
+  decltype(auto) time(std::string_view heading, const What& what) {
     current_ = heading;
-    const Booking booking(entries_[static_cast<std::size_t>(heading)]);
+    Booking booking(*this, number_of(heading));
     if constexpr (std::is_void_v<decltype(what())>) {
       what();
       if (finish_) finish_();
@@ -76,27 +38,45 @@ class Timing {
   void wait_with(std::function<void()> finish) { finish_ = std::move(finish); }
   [[nodiscard]] bool waits() const { return finish_ != nullptr; }
   /// The heading begun last.
-  [[nodiscard]] const char* current() const { return heading_names[static_cast<std::size_t>(current_)]; }
+  [[nodiscard]] std::string_view current() const { return current_; }
 
-  [[nodiscard]] const auto& entries() const { return entries_; }
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  std::size_t number_of(std::string_view heading) {
+    for (std::size_t n = 0; n < entries_.size(); ++n) {
+      if (entries_[n].heading == heading) return n;
+    }
+    entries_.push_back({heading});
+    return entries_.size() - 1;
+  }
+
+  /// Books by number, because entries move when one is added. A heading inside another takes its seconds from it.
   struct Booking {
-    Entry& entry;
+    Timing& of;
+    std::size_t entry;
+    Booking* outer;
+    double inside = 0;  // [s] of headings within this one
     Clock::time_point start = Clock::now();
-    explicit Booking(Entry& e) : entry(e) {}
+
+    Booking(Timing& timing, std::size_t number) : of(timing), entry(number), outer(timing.open_) { of.open_ = this; }
     Booking(const Booking&) = delete;
     Booking& operator=(const Booking&) = delete;
     ~Booking() {
-      entry.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-      ++entry.calls;
+      const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+      of.entries_[entry].seconds += elapsed - inside;
+      ++of.entries_[entry].calls;
+      if (outer != nullptr) outer->inside += elapsed;
+      of.open_ = outer;
     }
   };
 
-  std::array<Entry, static_cast<std::size_t>(Heading::count)> entries_{};
+  std::vector<Entry> entries_;
+  Booking* open_ = nullptr;
   std::function<void()> finish_;
-  Heading current_ = Heading::refresh_neighbours;
+  std::string_view current_ = "start";
 };
 
 }  // namespace thalweg

@@ -8,7 +8,9 @@
 
 #include "physics/lane_math.hpp"
 #include "solver/backend/buffer.hpp"
-#include "solver/state/cluster_list.hpp"
+#include "solver/backend/device.hpp"
+#include "solver/backend/device_buffer.hpp"
+#include "solver/backend/gpu_threads.hpp"
 
 // The verbs of a backend on a device with its own memory and a thread for each particle. How such a device is reached
 // is the Runtime's: CUDA's (solver/backend/cuda.cuh), or, in the tests, the host's with memory that nobody may touch
@@ -21,153 +23,6 @@
 //   Recording: record(what), replay()     launches kept and asked for again as one
 //   wait, atomic_add
 namespace thalweg {
-
-/// An array in the memory of a device. Contents are kept when it grows; new entries are uninitialised.
-template <class T, class Runtime>
-class DeviceBuffer {
- public:
-  DeviceBuffer() = default;
-  DeviceBuffer(const DeviceBuffer&) = delete;
-  DeviceBuffer& operator=(const DeviceBuffer&) = delete;
-  DeviceBuffer(DeviceBuffer&& b) noexcept { swap(b); }
-  DeviceBuffer& operator=(DeviceBuffer&& b) noexcept {
-    swap(b);
-    return *this;
-  }
-  ~DeviceBuffer() { Runtime::release(data_); }
-
-  void resize(std::size_t n) {
-    if (n > capacity_) {
-      DeviceBuffer larger;
-      larger.data_ = static_cast<T*>(Runtime::allocate(n * sizeof(T)));
-      larger.capacity_ = n;
-      if (size_ > 0) Runtime::copy_on_device(larger.data_, data_, size_ * sizeof(T));
-      swap(larger);
-    }
-    size_ = n;
-  }
-  void swap(DeviceBuffer& b) noexcept {
-    std::swap(data_, b.data_);
-    std::swap(size_, b.size_);
-    std::swap(capacity_, b.capacity_);
-  }
-
-  [[nodiscard]] T* data() { return data_; }
-  [[nodiscard]] const T* data() const { return data_; }
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-
- private:
-  T* data_ = nullptr;
-  std::size_t size_ = 0;
-  std::size_t capacity_ = 0;
-};
-
-/// One record as a lane of one pair, of the quads a body asks for.
-template <int Dim, unsigned quads>
-HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Record* record) {
-  struct alignas(16) Quad {
-    float v[4];
-  };
-  const auto load = [record](int q) {
-    Quad quad;
-    const auto* from = static_cast<const char*>(__builtin_assume_aligned(record, 16)) + q * sizeof(Quad);
-    memcpy(&quad, from, sizeof(Quad));
-    return quad;
-  };
-  const auto vector = [](const Quad& quad) {
-    Vec<Dim, float> v{};
-    for (int k = 0; k < Dim; ++k) v[k] = quad.v[axis<Dim>(k)];
-    return v;
-  };
-  Lane<Dim, float, std::int32_t> lane{};
-  const Quad place = load(0);
-  for (int k = 0; k < Dim; ++k) memcpy(&lane.place[k], &place.v[axis<Dim>(k)], sizeof(std::int32_t));
-  lane.volume = place.v[3];
-  if constexpr ((quads & quad_motion) != 0) {
-    const Quad motion = load(1);
-    lane.velocity = vector(motion);
-    lane.pressure = motion.v[3];
-  }
-  if constexpr ((quads & quad_matter) != 0) {
-    const Quad matter = load(2);
-    lane.excess = matter.v[0];
-    lane.viscosity = matter.v[1];
-    lane.phase = matter.v[2];
-    lane.state = matter.v[3];
-  }
-  if constexpr ((quads & quad_work) != 0) lane.work = vector(load(3));
-  return lane;
-}
-
-template <int Dim, unsigned quads>
-HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Vectors* vectors) {
-  Lane<Dim, float, std::int32_t> lane{};
-  for (int k = 0; k < Dim; ++k) lane.work[k] = vectors->work[axis<Dim>(k)];
-  return lane;
-}
-
-/// What a sweep's end() returns if it returns nothing.
-struct NoResult {};
-
-/// The pair sweep of one thread: particle n % 4 of the n/4-th cluster visited. The four threads of a cluster walk the
-/// same list, so that a neighbour's record is fetched once for all of them. Result is what end() returns; a thread
-/// without a particle returns `none`.
-template <int Dim, class From, class Body, class Result>
-struct SweepThread {
-  ClusterList list;
-  ClusterRange range;
-  const From* records;
-  Vec<Dim, float> quantum;
-  Body body;
-  Result none;
-
-  HOST_DEVICE Result operator()(Index n) const {
-    const Index cluster = range[n / cluster_size];
-    const Index i = list.first(cluster) + n % cluster_size;
-    if (i >= list.last(cluster)) return none;
-    const auto a = read_record<Dim, Body::quads>(records + i);
-    typename Body::template Sum<float> sum{};
-    const Index end = list.begin[cluster + 1];
-    for (Index e = list.begin[cluster]; e < end; ++e) {
-      const auto b = read_record<Dim, Body::quads>(records + list.entries[e]);
-      Separation<Dim, float> s{};
-      for (int k = 0; k < Dim; ++k) s.r[k] = to_float(lane_difference(a.place[k], b.place[k])) * quantum[k];
-      s.r2 = dot(s.r, s.r);
-      body.pair(a, b, s, std::size_t{e} * cluster_size + n % cluster_size, sum);
-    }
-    if constexpr (std::is_same_v<Result, NoResult>) {
-      body.end(i, sum);
-      return none;
-    } else {
-      return body.end(i, sum);
-    }
-  }
-};
-
-/// Keeps the result of a reduction.
-template <class T>
-struct Keep {
-  T* to;
-  HOST_DEVICE void operator()(const T& result) const { *to = result; }
-};
-
-template <class T>
-struct FillThread {
-  T* to;
-  T value;
-  HOST_DEVICE void operator()(Index i) const { to[i] = value; }
-};
-
-/// The first `sorted` entries in a new order, the others as they are.
-template <class T>
-struct ReorderThread {
-  const T* from;
-  const Index* order;
-  T* to;
-  Index sorted;
-  HOST_DEVICE void operator()(Index i) const { to[i] = from[i < sorted ? order[i] : i]; }
-};
 
 /// A GPU; the verbs are those of OpenMp (solver/backend/openmp.hpp), which says what each does.
 template <class Runtime>
@@ -184,7 +39,7 @@ class Gpu {
   }
 
   template <class T>
-  static void put(HostBuffer<T>&& numbers, Buffer<T>& to) {
+  static void upload(HostBuffer<T>&& numbers, Buffer<T>& to) {
     to.resize(numbers.size());
     Runtime::copy_to_device(to.data(), numbers.data(), numbers.size() * sizeof(T));
   }
@@ -194,22 +49,22 @@ class Gpu {
     Runtime::launch(static_cast<Index>(n), FillThread<T>{buffer.data(), value}, nullptr);
   }
   template <class T>
-  static HostBuffer<T> on_host(const Buffer<T>& buffer, std::size_t from, std::size_t to) {
+  static HostBuffer<T> download(const Buffer<T>& buffer, std::size_t from, std::size_t to) {
     HostBuffer<T> numbers(to - from);
     Runtime::copy_to_host(numbers.data(), buffer.data() + from, numbers.size() * sizeof(T));
     return numbers;
   }
   template <class T>
-  static HostBuffer<T> on_host(const Buffer<T>& buffer) {
-    return on_host(buffer, 0, buffer.size());
+  static HostBuffer<T> download(const Buffer<T>& buffer) {
+    return download(buffer, 0, buffer.size());
   }
   template <class T>
-  static void send(const T& number, T* to) {
+  static void write(const T& number, T* to) {
     static_assert(sizeof(T) <= 512 && std::is_trivially_copyable_v<T>);
     Runtime::send(to, &number, sizeof(T));
   }
   template <class T>
-  static T look(const T* at) {
+  static T read(const T* at) {
     T number;
     Runtime::copy_to_host(&number, at, sizeof(T));
     return number;
@@ -217,10 +72,10 @@ class Gpu {
 
   static void finish() { Runtime::wait(); }
 
-  class Beside {
+  class AsyncDownload {
    public:
     template <class T>
-    HostBuffer<T> on_host(const Buffer<T>& buffer) const {
+    HostBuffer<T> download(const Buffer<T>& buffer) const {
       HostBuffer<T> numbers(buffer.size());
       Runtime::copy_to_host_after(*mark_, numbers.data(), buffer.data(), numbers.size() * sizeof(T));
       return numbers;
@@ -229,9 +84,9 @@ class Gpu {
    private:
     std::shared_ptr<typename Runtime::Mark> mark_ = std::make_shared<typename Runtime::Mark>();
   };
-  static Beside beside() { return {}; }
+  static AsyncDownload async_download() { return {}; }
 
-  const int* only_if(const int* flag) { return std::exchange(flag_, flag); }
+  const int* skip_unless(const int* flag) { return std::exchange(flag_, flag); }
 
   template <class What>
   void repeat(std::uint64_t key, const What& what) {
@@ -243,30 +98,40 @@ class Gpu {
     recording_.replay();
   }
 
+  AccessListener* listener = nullptr;
+
   template <class Body>
   void for_each(Index n, const Body& body) const {
+    require_particle_body<Body>();
+    const Announcement announced(listener, access_of<Body>);
     Runtime::launch(n, body, flag_);
   }
 
   template <class T, class Of, class Combine>
-  static T reduce(Index n, const T& start, const Of& of, const Combine& combine) {
+  T reduce(Index n, const T& start, const Of& of, const Combine& combine) const {
+    require_particle_body<Of>();
+    const Announcement announced(listener, access_of<Of>);
     if (n == 0) return start;
     return Runtime::template with_result<T>(
         [&](T* result) { Runtime::reduce(n, start, of, combine, Keep<T>{result}, nullptr); });
   }
   template <class T, class Of, class Combine, class Then>
   void reduce_then(Index n, const T& start, const Of& of, const Combine& combine, const Then& then) const {
+    require_particle_body<Of>();
+    const Announcement announced(listener, access_of<Of>);
     Runtime::reduce(n, start, of, combine, then, flag_);
   }
 
   static Index exclusive_scan(const Buffer<Index>& counts, Buffer<Index>& offsets) {
     offsets.resize(counts.size() + 1);
     Runtime::scan(counts.data(), static_cast<Index>(counts.size()), offsets.data());
-    return look(offsets.data() + counts.size());
+    return read(offsets.data() + counts.size());
   }
 
   template <class Candidate, class Keep>
-  static void select(Index n, const Candidate& candidate, const Keep& keep, Buffer<Index>& kept, Index* count) {
+  void select(Index n, const Candidate& candidate, const Keep& keep, Buffer<Index>& kept, Index* count) const {
+    require_particle_body<Keep>();
+    const Announcement announced(listener, access_of<Keep>);
     kept.resize(n);
     Runtime::select(n, candidate, keep, kept.data(), count);
   }
@@ -305,16 +170,20 @@ class Gpu {
   }
 
   template <int Dim, class From, class Body>
-  void sweep(const ClusterList& list, ClusterRange range, const From* records, const Vec<Dim, float>& quantum,
+  void sweep(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
              const Body& body) const {
+    require_sweep_body<Body, Dim>();
+    const Announcement announced(listener, access_of<Body>);
     Runtime::launch(range.count * cluster_size,
-                    SweepThread<Dim, From, Body, NoResult>{list, range, records, quantum, body, {}}, flag_);
+                    SweepThread<Dim, From, Body, NoResult>{list, range, records, metric, body, {}}, flag_);
   }
   template <int Dim, class From, class Body, class T, class Combine, class Then>
-  void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const Vec<Dim, float>& quantum,
+  void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
                   const Body& body, const T& start, const Combine& combine, const Then& then) const {
+    require_sweep_body<Body, Dim>();
+    const Announcement announced(listener, access_of<Body>);
     Runtime::reduce(range.count * cluster_size, start,
-                    SweepThread<Dim, From, Body, T>{list, range, records, quantum, body, start}, combine, then, flag_);
+                    SweepThread<Dim, From, Body, T>{list, range, records, metric, body, start}, combine, then, flag_);
   }
 
  private:

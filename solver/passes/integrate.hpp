@@ -1,6 +1,9 @@
 #pragma once
 
-#include "solver/passes/time_step.hpp"
+#include "solver/backend/device.hpp"
+#include "solver/state/particles.hpp"
+#include "solver/state/scene.hpp"
+#include "solver/state/step_state.hpp"
 
 // Leapfrog: velocities by the accelerations at the old places, half of the way by the new velocities, densities by the
 // rates half-way, the other half of the way. One force sweep a step; stable up to the acoustic Courant number of about
@@ -9,13 +12,23 @@
 // 10 % of its energy from every bounce.
 namespace thalweg {
 
+/// True if the equations of motion move particle i; `roles` is nullptr where they move all.
+HOST_DEVICE inline bool is_integrated(const Role* roles, Index i) {
+  return roles == nullptr || roles[i] == Role::integrated;
+}
+
 /// Particle pass: velocities by the explicit accelerations.
 struct KickPass {
+  using reads = Reads<field::flow, field::rates, field::role>;
+  using writes = Writes<field::flow>;
+
   Record* records;
   const Rates* rates;
+  const Role* roles;
   const StepState* state;
 
   HOST_DEVICE void operator()(Index i) const {
+    if (!is_integrated(roles, i)) return;
     const auto dt = static_cast<float>(state->step.dt);
     for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * rates[i].acceleration[c];
   }
@@ -25,26 +38,32 @@ struct KickPass {
 /// and is out of every sum until the next sort drops it.
 template <int Dim>
 struct DriftPass {
+  using reads = Reads<field::place, field::flow, field::position>;
+  using writes = Writes<field::place, field::flow, field::matter, field::position>;
+
   Record* records;
   Position* positions;
   Scene<Dim> scene;
   const StepState* state;
   double share;
 
-  HOST_DEVICE void operator()(Index i) const {
+  HOST_DEVICE void operator()(Index i) const { move(i, records[i].velocity); }
+
+  /// Moves particle i with a velocity [m/s] of three components.
+  HOST_DEVICE void move(Index i, const float* velocity) const {
     Record& r = records[i];
     if (r.volume == 0) return;
     const double dt = share * state->step.dt;
     for (int k = 0; k < Dim; ++k) {
       const int c = axis<Dim>(k);
       double& x = positions[i].x[c];
-      x += dt * double(r.velocity[c]);
+      x += dt * double(velocity[c]);
       if (scene.lattice.periodic[k]) {
         if (x < scene.lattice.origin[k]) x += scene.lattice.range[k];
         if (x >= scene.lattice.origin[k] + scene.lattice.range[k]) x -= scene.lattice.range[k];
       } else if (!(x >= scene.domain_from[k] && x <= scene.domain_to[k])) {
         r.volume = 0;
-        r.phase = phase_wall;
+        r.kind = kind::wall;
         r.pressure = 0;
         return;
       }
@@ -55,18 +74,23 @@ struct DriftPass {
 
 /// Particle pass: densities by the rates half-way.
 struct DensityPass {
+  using reads = Reads<field::matter, field::rates, field::role>;
+  using writes = Writes<field::matter>;
+
   Record* records;
   const Rates* rates;
+  const Role* roles;
   const StepState* state;
 
   HOST_DEVICE void operator()(Index i) const {
+    if (!is_integrated(roles, i)) return;
     records[i].excess += static_cast<float>(state->step.dt) * rates[i].excess_rate;
   }
 };
 
 template <class Device>
 void kick(Device& on, Particles<Device>& p, const StepState* state) {
-  on.for_each(p.fluid_count, KickPass{p.record.data(), p.rates.data(), state});
+  on.for_each(p.fluid_count, KickPass{p.record.data(), p.rates.data(), p.roles(), state});
 }
 
 template <int Dim, class Device>
@@ -76,7 +100,7 @@ void drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const Step
 
 template <class Device>
 void update_density(Device& on, Particles<Device>& p, const StepState* state) {
-  on.for_each(p.fluid_count, DensityPass{p.record.data(), p.rates.data(), state});
+  on.for_each(p.fluid_count, DensityPass{p.record.data(), p.rates.data(), p.roles(), state});
 }
 
 }  // namespace thalweg

@@ -1,19 +1,22 @@
 #pragma once
 
 #include "physics/pair_terms.hpp"
-#include "solver/state/particles.hpp"
+#include "solver/passes/sweep.hpp"
 
 namespace thalweg {
 
 /// Pair sweep: acceleration by pressure, artificial viscosity, water's own viscosity and gravity,
 ///   rho_a du_a/dt = - sum_b V_b (P_a + P_b + Pi_ab) grad W + sum_b V_b 2 mu_w F u_ab + rho_a g
 /// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a; forces m_a du_a/dt are antisymmetric pair by pair. The viscosity
-/// of sediment, and between water and sediment, is left to models/implicit/viscosity.hpp. With wall_friction, water
+/// of sediment, and between water and sediment, is left to models/bed/viscous_step.hpp. With wall_friction, water
 /// beside a wall has the viscosity of smooth_wall_viscosity in place of mu_w; without it walls are frictionless for
 /// water.
 template <int Dim, bool wall_friction>
 struct MomentumSweep {
-  static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
+  using neighbours = Neighbours<field::place, field::flow, field::matter>;
+  using reads = Reads<field::place, field::flow, field::matter>;
+  using writes = Writes<field::rates>;
+  static constexpr unsigned kernel = kernel_gradient;
   template <class L>
   struct Sum {
     Vec<Dim, L> force;  // per volume of a [N/m^3]
@@ -23,29 +26,28 @@ struct MomentumSweep {
   Rates* rates;
   Scene<Dim> scene;
 
-  template <class LaneT, class Sep, class L>
-  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t, Sum<L>& sum) const {
-    const L inverse = lane_reciprocal(s.r2 + L(scene.singularity));
-    const L F = scene.kernel.gradient(scene.kernel.closeness(lane_sqrt(s.r2)));
+  template <class LaneT, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
+    const L inverse = lane_reciprocal(g.r2 + L(scene.singularity));
     const Vec<Dim, L> u = a.velocity - b.velocity;
-    const L weight = b.volume * F;
+    const L weight = b.volume * g.F;
 
-    const auto same_phase = a.phase == b.phase;
-    const L rho0 = lane_select(a.phase > L(phase_water + 0.5F), L(scene.sediment_density), L(scene.water_density));
-    const L strength = lane_select(same_phase, rho0 * L(scene.artificial_viscosity), L(0.0F));
-    const L along = -(weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, s.r), inverse, strength)));
+    const auto same = same_phase(a, b);
+    const L rho0 = lane_select(is_sediment(a), L(scene.sediment_density), L(scene.water_density));
+    const L strength = lane_select(same, rho0 * L(scene.artificial_viscosity), L(0.0F));
+    const L along = -(weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, g.r), inverse, strength)));
 
-    const auto a_water = a.phase < L(phase_water + 0.5F);
-    L eta = lane_select(same_phase & a_water, L(scene.water_viscosity), L(0.0F));
+    // Twice the viscosity: doubling is exact, so that its place in the product does not matter.
+    const auto a_water = is_water(a);
+    L eta2 = lane_select(same & a_water, L(2.0F) * L(scene.water_viscosity), L(0.0F));
     if constexpr (wall_friction) {
-      const auto b_wall = b.phase < L(phase_wall + 0.5F);
       const L at_wall =
           smooth_wall_viscosity(L(scene.water_viscosity), L(scene.water_density), lane_sqrt(dot(u, u)),
                                 L(static_cast<float>(0.5 * scene.spacing)), L(scene.quarter_root_viscosity));
-      eta = lane_select(a_water & b_wall, at_wall, eta);
+      eta2 = lane_select(a_water & is_wall(b), L(2.0F) * at_wall, eta2);
     }
-    const L drag = weight * L(2.0F) * eta;
-    for (int k = 0; k < Dim; ++k) sum.force[k] += along * s.r[k] + drag * u[k];
+    const L drag = weight * eta2;
+    for (int k = 0; k < Dim; ++k) sum.force[k] += along * g.r[k] + drag * u[k];
   }
 
   /// At rest the sum and gravity cancel: they do so in the precision of the sum.
@@ -53,7 +55,7 @@ struct MomentumSweep {
   HOST_DEVICE void end(Index i, const Sum<Real>& sum) const {
     const Record& r = records[i];
     if (is_resting(r)) return;
-    const float specific_volume = 1 / (scene.density_at_rest(r.phase) * (1 + r.excess));
+    const float specific_volume = 1 / (scene.density_at_rest(r.kind) * (1 + r.excess));
     for (int k = 0; k < Dim; ++k) {
       rates[i].acceleration[axis<Dim>(k)] = static_cast<float>(scene.gravity[k] + sum.force[k] * specific_volume);
     }
@@ -62,18 +64,15 @@ struct MomentumSweep {
 
 template <int Dim, class Device>
 void compute_accelerations(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  const auto sweep_over = [&](ClusterRange range, const auto& body) {
-    on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body);
-  };
-  const auto sweep = [&](const auto& body) {
-    if (!p.any_resting) return sweep_over(p.all_fluid(), body);
-    sweep_over(p.pure_water(), body);
-    sweep_over(p.near_sediment(), body);
+  const auto over_all = [&](const auto& body) {
+    if (!p.any_resting) return sweep(on, p, scene, p.all_fluid(), body);
+    sweep(on, p, scene, p.pure_water(), body);
+    sweep(on, p, scene, p.near_sediment(), body);
   };
   if (scene.wall_friction) {
-    sweep(MomentumSweep<Dim, true>{p.record.data(), p.rates.data(), scene});
+    over_all(MomentumSweep<Dim, true>{p.record.data(), p.rates.data(), scene});
   } else {
-    sweep(MomentumSweep<Dim, false>{p.record.data(), p.rates.data(), scene});
+    over_all(MomentumSweep<Dim, false>{p.record.data(), p.rates.data(), scene});
   }
 }
 

@@ -14,12 +14,11 @@
 #include "case/reader/case_file.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/units.hpp"
-#include "solver/models/moving_walls/make_motions.hpp"
 #include "solver/program/diagnosis.hpp"
 #include "solver/program/progress.hpp"
 #include "solver/program/run_output.hpp"
 #include "solver/program/schedule.hpp"
-#include "solver/simulation/make_scene.hpp"
+#include "solver/simulation/start.hpp"
 
 namespace thalweg {
 namespace {
@@ -104,7 +103,7 @@ void announce_choices(const Case& c) {
 
 /// The sound speed follows from the speed that the case expects.
 void warn_of_fast_walls(const Case& c, const ParticleSet& start) {
-  const double speed = largest_wall_speed(make_motions(c), start, c.output.end);
+  const double speed = largest_wall_speed(c, start);
   if (speed <= c.numerics.maximum_speed) return;
   spdlog::warn("walls move with up to {:.3g} m/s, and numerics.maximum_speed is {:.3g} m/s: {}", speed,
                c.numerics.maximum_speed, "the water's density will vary by more than a percent; raise it");
@@ -116,9 +115,8 @@ class Run {
   Run(const Case& c, const ParticleSet& start, const RunOptions& options)
       : case_(c),
         clock_{start.info.time, start.info.step},
-        simulation_(make_simulation({make_scene(c, start), &start, options.threads, options.profile, make_motions(c),
-                                     c.numerics.precision == Precision::double_sums},
-                                    options.backend, options.instruction_set)),
+        simulation_(
+            start_simulation(c, start, {options.backend, options.instruction_set, options.threads, options.profile})),
         output_({options.folder}, info(start), clock_, c.gauges.empty() ? std::string() : gauge_heading_line(c)),
         snapshot_times_(snapshot_times(c)),
         gauge_interval_(c.output.gauge_interval > 0 ? c.output.gauge_interval : c.output.end / 1000),
@@ -204,9 +202,9 @@ class Run {
     if (report.diverged) fail(report);
     count(report);
     warn_of_fallbacks(report);
-    simulation_->timing().time(Heading::output, [&] {
+    simulation_->timing().time("output", [&] {
       if (clock_.step == 1 || clock_.time >= next_history_) {
-        output_.history(simulation_->totals(), report, clock_, counts_);
+        output_.history(simulation_->totals(), simulation_->ledger(), report, clock_, counts_);
         next_history_ = (std::floor(clock_.time / history_interval_) + 1) * history_interval_;
       }
       if (!case_.gauges.empty() && clock_.time >= next_gauges_ - gauge_rounding * gauge_interval_) {
@@ -245,7 +243,7 @@ class Run {
                    report.viscous.capped, report.dt, "history.csv counts them in viscosity_capped");
       told_of_cap_ = true;
     }
-    if (report.pressure_sweeps == laplace::most_sweeps && !told_of_sweeps_) {
+    if (!report.pressure_settled && !told_of_sweeps_) {
       spdlog::warn(
           "the effective pressure did not settle in {} sweeps at t = {:.4g} s; the next step goes on from there",
           report.pressure_sweeps, clock_.time);
@@ -254,7 +252,7 @@ class Run {
   }
 
   void write_snapshot() {
-    simulation_->timing().time(Heading::output, [&] { output_.snapshot(*simulation_, clock_); });
+    simulation_->timing().time("output", [&] { output_.snapshot(*simulation_, clock_); });
   }
 
   /// Gauges are read on the host, whatever device computes the particles around them.

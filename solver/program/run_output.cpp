@@ -16,7 +16,8 @@ namespace {
 constexpr const char* history_header =
     "time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_energy [J],internal_energy [J],water_mass [kg],"
     "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-],viscous_retries [-],"
-    "viscosity_capped [-],pressure_sweeps [-],resting [-],bed_load [-],suspended [-]";
+    "viscosity_capped [-],pressure_sweeps [-],resting [-],bed_load [-],suspended [-],mass_in [kg],mass_out [kg],"
+    "mass_lost [kg]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -97,7 +98,8 @@ void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
   });
 }
 
-void RunOutput::history(const Totals& t, const StepReport& report, const RunClock& clock, const RunCounts& counts) {
+void RunOutput::history(const Totals& t, const MassLedger& ledger, const StepReport& report, const RunClock& clock,
+                        const RunCounts& counts) {
   const double of_sediment = static_cast<double>(std::max<std::int64_t>(1, t.sediment));
   const auto share = [&](std::int64_t n) { return static_cast<double>(n) / of_sediment; };
   fmt::print(history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g},{},{},{},",
@@ -105,7 +107,8 @@ void RunOutput::history(const Totals& t, const StepReport& report, const RunCloc
              t.internal_energy, t.water_mass, t.sediment_mass, counts.excluded, report.largest_speed,
              report.viscous.iterations, report.viscous.residual, counts.viscous_retries, report.viscous.capped,
              report.pressure_sweeps);
-  fmt::print(history_, "{:.4g},{:.4g},{:.4g}\n", share(t.resting), share(t.bed_load), share(t.suspended));
+  fmt::print(history_, "{:.4g},{:.4g},{:.4g},{:.9g},{:.9g},{:.9g}\n", share(t.resting), share(t.bed_load),
+             share(t.suspended), ledger.in, ledger.out, ledger.lost);
   flush_row(history_, folder_.history());
 }
 
@@ -148,10 +151,8 @@ void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunC
   for (const auto& entry : simulation.timing().entries()) total += entry.seconds;
   write_whole_text(folder_.timing(), [&](std::ostream& to) {
     to << "heading,seconds [s],share [-],calls [-]\n";
-    for (std::size_t k = 0; k < heading_names.size(); ++k) {
-      const auto& entry = simulation.timing().entries()[k];
-      if (entry.calls == 0) continue;
-      fmt::print(to, "{},{:.4f},{:.4f},{}\n", heading_names[k], entry.seconds, total > 0 ? entry.seconds / total : 0,
+    for (const auto& entry : simulation.timing().entries()) {
+      fmt::print(to, "{},{:.4f},{:.4f},{}\n", entry.heading, entry.seconds, total > 0 ? entry.seconds / total : 0,
                  entry.calls);
     }
   });

@@ -13,13 +13,13 @@
 
 namespace thalweg {
 
-/// Where a run stands.
+/// Time and step that a run has reached.
 struct RunClock {
   double time = 0;  // [s]
   std::int64_t step = 0;
 };
 
-/// What the run loop has counted, for history and summary.
+/// Counts of the run loop, for history and summary.
 struct RunCounts {
   std::int64_t excluded = 0;
   std::int64_t viscous_iterations = 0;
@@ -41,7 +41,8 @@ class RunOutput {
   RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& start, const std::string& gauge_heading = {});
 
   void snapshot(Simulation& simulation, const RunClock& clock);
-  void history(const Totals& totals, const StepReport& report, const RunClock& clock, const RunCounts& counts);
+  void history(const Totals& totals, const MassLedger& ledger, const StepReport& report, const RunClock& clock,
+               const RunCounts& counts);
   /// Reads the case's gauges off the particles as they are; returns the row as written.
   GaugeRow gauges(Simulation& simulation, const Case& of, const RunClock& clock);
   void checkpoint(Simulation& simulation, const RunClock& clock);

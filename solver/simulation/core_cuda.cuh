@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/simulation/simulation.hpp"
+#include "solver/simulation/input.hpp"
 
 // The simulation on a CUDA device is compiled once per dimension, side by side.
 namespace thalweg {

@@ -1,6 +1,7 @@
 // One core module per instruction set and precision of the pair sums (THALWEG_PAIR_NUMBER, float or double) is made
 // from this file; see make_simulation.cpp for how one is chosen.
 #include "solver/backend/openmp.hpp"
+#include "solver/simulation/input.hpp"
 #include "solver/simulation/simulation_on.hpp"
 
 namespace {

@@ -7,9 +7,11 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
-#include "physics/sediment/drucker_prager.hpp"
+#include "physics/sediment/effective_pressure.hpp"
+#include "physics/sediment/material.hpp"
 #include "physics/seepage/consolidation.hpp"
 #include "physics/seepage/ergun.hpp"
+#include "physics/seepage/skeleton.hpp"
 #include "physics/transport/lift_settling.hpp"
 
 namespace thalweg {
@@ -29,24 +31,13 @@ SedimentScene make_sediment(const Case& from, double sound_speed) {
                      ": domain.gravity: the sediment's effective pressure is the weight of what lies "
                      "above in z; let gravity point along -z or switch model.sediment off");
   }
-  SedimentScene out;
-  const YieldFit fit = from.model.plane_strain_fit();
-  out.yield = from.model.yield;
-  out.rheology = from.model.rheology;
+  SedimentScene out{make_material<float>(s, {from.model.yield, from.model.yield_fit, from.model.rheology})};
   out.effective_pressure = from.model.effective_pressure;
-  out.yield_coefficient = static_cast<float>(yield_pressure_coefficient(s.friction_angle, fit));
-  out.yield_cohesion = static_cast<float>(yield_cohesion_term(s.cohesion, s.friction_angle, fit));
-  out.friction_tangent = static_cast<float>(std::tan(s.friction_angle));
-  out.regularisation = static_cast<float>(s.regularisation);
-  out.consistency = static_cast<float>(s.consistency);
-  out.flow_index = static_cast<float>(s.flow_index);
-  const double submerged_density = s.bed_density() - s.pore_density;
-  out.submerged_weight = static_cast<float>(submerged_density * -from.domain.gravity.z());
+  const double gravity = -from.domain.gravity.z();
+  out.submerged_weight = static_cast<float>(submerged_weight(s.bed_density(), s.pore_density, gravity));
   out.pore_stiffness = static_cast<float>(tait_stiffness(s.pore_density, sound_speed));
+  const double submerged_density = s.bed_density() - s.pore_density;
   out.laplace_tolerance = static_cast<float>(1e-4 * submerged_density * sound_speed * sound_speed / 100);
-  out.dynamic_coefficient = static_cast<float>(yield_pressure_coefficient(s.dynamic_friction_angle, fit));
-  out.inertia = {static_cast<float>(s.inertial_number), static_cast<float>(s.grain_diameter),
-                 static_cast<float>(s.grain_density)};
   return out;
 }
 
@@ -97,29 +88,34 @@ RestCriteria make_rest(const Case& from) {
   return out;
 }
 
-SeepageScene make_seepage(const Case& from, double sound_speed) {
+MixtureScene make_mixture(const Case& from, double sound_speed) {
   const SedimentParameters& s = from.sediment();
   const double solids = 1 - s.porosity;
-  const double g = -from.domain.gravity.z();
-  SeepageScene out;
+  MixtureScene out;
   out.mixture = from.model.seepage == SeepageModel::mixture;
-  if (out.mixture) {
-    out.solids_at_rest = static_cast<float>(solids);
-    out.grain_diameter = static_cast<float>(s.grain_diameter);
-    // A packing at rest is then compressed by g.r/c^2, as water is.
-    out.skeleton_stiffness =
-        static_cast<float>(solids * (s.grain_density - s.pore_density) * sound_speed * sound_speed);
-    // Both sets free of each other: c^2 (1 + phi rho_w/(n rho_grain)), the fastest wave (docs/theory.md).
-    out.fast_wave = std::sqrt(1 + solids * s.pore_density / (s.porosity * s.grain_density));
-  }
-  out.pore_pressure = from.model.pore_pressure == PorePressureModel::diffusion;
-  if (out.pore_pressure) {
-    const double conductivity =
-        hydraulic_conductivity(permeability(s.porosity, s.grain_diameter), from.water.density, from.water.viscosity, g);
-    out.consolidation =
-        static_cast<float>(consolidation_coefficient(conductivity, s.oedometer_modulus, from.water.density * g));
-    out.pore_stiffness = static_cast<float>(s.bed_density() * sound_speed * sound_speed);
-  }
+  if (!out.mixture) return out;
+  out.solids_at_rest = static_cast<float>(solids);
+  out.grain_diameter = static_cast<float>(s.grain_diameter);
+  out.skeleton_stiffness = static_cast<float>(skeleton_stiffness(solids, s.grain_density, s.pore_density, sound_speed));
+  return out;
+}
+
+/// Both sets of a mixture are free of each other: c^2 (1 + phi rho_w/(n rho_grain)), the fastest wave (docs/theory.md).
+double mixture_wave(const SedimentParameters& s) {
+  return std::sqrt(1 + (1 - s.porosity) * s.pore_density / (s.porosity * s.grain_density));
+}
+
+PoreScene make_pores(const Case& from, double sound_speed) {
+  const SedimentParameters& s = from.sediment();
+  const double g = -from.domain.gravity.z();
+  PoreScene out;
+  out.on = from.model.pore_pressure == PorePressureModel::diffusion;
+  if (!out.on) return out;
+  const double conductivity =
+      hydraulic_conductivity(permeability(s.porosity, s.grain_diameter), from.water.density, from.water.viscosity, g);
+  out.consolidation =
+      static_cast<float>(consolidation_coefficient(conductivity, s.oedometer_modulus, from.water.density * g));
+  out.stiffness = static_cast<float>(s.bed_density() * sound_speed * sound_speed);
   return out;
 }
 
@@ -223,14 +219,16 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
   if (s.has_sediment) {
     s.no_slip = NoSlip<Dim>(h, s.spacing);
     s.sediment = make_sediment(from, c);
-    s.seepage = make_seepage(from, c);
+    s.seepage = make_mixture(from, c);
+    if (s.seepage.mixture) s.fast_wave = mixture_wave(from.sediment());
+    s.pores = make_pores(from, c);
     // The particles of a mixture are the grains alone.
     s.sediment_density =
         static_cast<float>(s.seepage.mixture ? from.sediment().grain_density : from.sediment().bed_density());
     s.has_states = from.model.sediment == SedimentModel::three_state;
     if (s.has_states) s.erosion = make_erosion<Dim>(from);
     // What seeps or drains is never at rest.
-    s.may_rest = from.model.rest && from.domain.gravity.norm() > 0 && !s.seepage.mixture && !s.seepage.pore_pressure;
+    s.may_rest = from.model.rest && from.domain.gravity.norm() > 0 && !s.seepage.mixture && !s.pores.on;
     if (s.may_rest) s.rest = make_rest(from);
   }
   return s;

@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 #include "common/particles.hpp"
-#include "solver/simulation/simulation.hpp"
+#include "solver/simulation/input.hpp"
 
 namespace thalweg {
 

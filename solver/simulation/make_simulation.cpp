@@ -9,7 +9,8 @@
 #include "common/error.hpp"
 #include "common/memory.hpp"
 #include "common/units.hpp"
-#include "solver/simulation/simulation.hpp"
+#include "solver/simulation/input.hpp"
+#include "solver/simulation/memory.hpp"
 
 namespace thalweg {
 namespace {
@@ -87,7 +88,7 @@ void check_memory(const SimulationInput& input, double available) {
       [&](const auto& scene) {
         constexpr int dimension = std::is_same_v<std::decay_t<decltype(scene)>, Scene<3>> ? 3 : 2;
         const auto particles = static_cast<double>(input.particles->size());
-        const double needed = estimate_memory(particles, dimension).gpu;
+        const double needed = particles * bytes_per_particle<GpuSizes>(scene);
         if (needed <= available) return;
         throw InputError(
             fmt::format("--backend cuda: {:.3g} particles need {} on the GPU, which has {} free; fill the scene with a "

@@ -1,16 +1,20 @@
 #pragma once
 
-#include "common/particles.hpp"
-#include "solver/models/seepage/mixture.hpp"
-#include "solver/state/particles.hpp"
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
 
-// What a snapshot shows of a particle. The device gathers it in one array, so that steps can go on while that one is
-// brought to the host and made into a ParticleSet.
+#include "common/particles.hpp"
+#include "solver/backend/device.hpp"
+#include "solver/models/all.hpp"
+
+// Snapshots. The device gathers what they show in arrays of their own, so that steps can go on while those are brought
+// to the host and made into a ParticleSet.
 namespace thalweg {
 
-inline constexpr const char* excess_pore_pressure_array = "ExcessPorePressure";
-
-struct ShownParticle {
+/// What a snapshot shows of every particle; models show more (Arrays::describe, `shown`).
+struct SnapshotParticle {
   double x[3];  // [m]
   std::int64_t id;
   float velocity[3];  // [m/s]
@@ -18,59 +22,174 @@ struct ShownParticle {
   float excess;       // rho/rho0 - 1 [-]; 0 of walls
   float pressure;     // [Pa]
   float viscosity;    // [Pa s]
-  float phase;
-  float state;
-  float strain_rate;         // [1/s]
-  float effective_pressure;  // [Pa]
-  float yield_stress;        // [Pa]
-  float bed_shear_stress;    // [Pa]
-  float pore_pressure;       // excess [Pa]
-  float porosity;            // of a mixture [-]
-  std::uint16_t motion;
+  float kind;         // kind::water …
   std::uint8_t type;
 };
 
-/// Gathers; arrays that the scene does not have are null.
-struct Show {
+/// Particle pass: gathers the particles named in `of`, or all.
+struct SnapshotGather {
+  using reads = Reads<field::place, field::flow, field::matter, field::position, field::id, field::mass, field::type>;
+  using writes = Writes<>;
+
   const Record* records;
   const Position* positions;
   const std::int64_t* id;
   const float* mass;
   const std::uint8_t* type;
-  const Sediment* sediment;
-  const BedSurface* bed;
-  const float* pore_pressure;
-  const PoreState* pores;
-  const Index* motion;
-  Index fluid;
+  const Index* of;  // nullptr: 0, 1, 2 …
+  SnapshotParticle* to;
 
-  HOST_DEVICE ShownParticle operator()(Index i) const {
-    ShownParticle s{};
+  HOST_DEVICE void operator()(Index n) const {
+    const Index i = of == nullptr ? n : of[n];
     const Record& r = records[i];
+    SnapshotParticle s{};
     for (int c = 0; c < 3; ++c) s.x[c] = positions[i].x[c], s.velocity[c] = r.velocity[c];
     s.id = id[i];
     s.mass = mass[i];
-    s.type = type[i];
-    s.excess = r.phase == phase_wall ? 0 : r.excess;
+    s.excess = is_wall(r) ? 0 : r.excess;
     s.pressure = r.pressure;
     s.viscosity = r.viscosity;
-    s.phase = r.phase;
-    s.state = r.state;
-    if (sediment != nullptr) {
-      s.strain_rate = sediment[i].strain_rate;
-      s.effective_pressure = sediment[i].effective_pressure;
-      s.yield_stress = sediment[i].yield_stress;
-    }
-    if (bed != nullptr) s.bed_shear_stress = bed[i].shear_stress;
-    if (pore_pressure != nullptr) s.pore_pressure = pore_pressure[i];
-    s.porosity = pores != nullptr && i < fluid ? pores[i].porosity : 1;
-    if (motion != nullptr) s.motion = static_cast<std::uint16_t>(motion[i]);
-    return s;
+    s.kind = r.kind;
+    s.type = type[i];
+    to[n] = s;
   }
 };
 
+/// Particle pass: gathers one number of an array of numbers or of structs.
+template <class T, class Member>
+struct ColumnGather {
+  using reads = Reads<field::any>;
+  using writes = Writes<>;
+
+  const T* from;
+  Member member;    // nullptr: the number itself
+  const Index* of;  // nullptr: 0, 1, 2 …
+  Index known;      // particles from here on are shown as `otherwise`
+  float otherwise;
+  float* to;
+
+  HOST_DEVICE void operator()(Index n) const {
+    const Index i = of == nullptr ? n : of[n];
+    if (i >= known) {
+      to[n] = otherwise;
+    } else if constexpr (std::is_same_v<Member, std::nullptr_t>) {
+      to[n] = static_cast<float>(from[i]);
+    } else {
+      to[n] = from[i].*member;
+    }
+  }
+};
+
+/// What a snapshot shows, on the device.
+template <class Device>
+struct SnapshotArrays {
+  template <class T>
+  using Buffer = typename Device::template Buffer<T>;
+  struct Column {
+    std::string name;
+    float unit;
+    Buffer<float> values;
+  };
+  struct KindColumn {
+    std::string name;
+    float (*of)(float);
+  };
+
+  Buffer<SnapshotParticle> particles;
+  std::vector<Column> columns;
+  std::vector<KindColumn> kind_columns;
+};
+
+/// Visitor of particle arrays: gathers what models show of n particles, those named in `of` or all.
+template <class Device>
+struct GatherShown {
+  Device& on;
+  SnapshotArrays<Device>& into;
+  const Index* of;
+  Index n;
+  Index fluid_count;
+
+  template <class Buffer, class T>
+  void array(const Field&, Buffer&, ArrayTraits, const T&) {}
+
+  template <class Buffer>
+  void shown(const char* name, const Buffer& buffer) {
+    gather(name, buffer, nullptr, {});
+  }
+  template <class Buffer, class Member>
+  void shown(const char* name, const Buffer& buffer, Member member, const ShownAs& as = {}) {
+    gather(name, buffer, member, as);
+  }
+  void shown_kind(const char* name, float (*number_of)(float)) { into.kind_columns.push_back({name, number_of}); }
+
+ private:
+  template <class Buffer, class Member>
+  void gather(const char* name, const Buffer& buffer, Member member, const ShownAs& as) {
+    using T = std::remove_cvref_t<decltype(*buffer.data())>;
+    auto& column = into.columns.emplace_back();
+    column.name = name;
+    column.unit = as.unit;
+    column.values.resize(n);
+    const auto size = static_cast<Index>(buffer.size());
+    const Index known = as.fluid_only && size > fluid_count ? fluid_count : size;
+    on.for_each(n, ColumnGather<T, Member>{buffer.data(), member, of, known, as.otherwise, column.values.data()});
+  }
+};
+
+/// Gathers a snapshot of n particles, those named in `of` (on the device) or, with nullptr, the first n.
+template <int Dim, class Device>
+void gather_snapshot(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const Index* of, Index n,
+                     SnapshotArrays<Device>& into) {
+  into.particles.resize(n);
+  on.for_each(n, SnapshotGather{p.record.data(), p.position.data(), p.id.data(), p.mass.data(), p.type.data(), of,
+                                into.particles.data()});
+  GatherShown<Device> gather{on, into, of, n, p.fluid_count};
+  p.describe(scene, gather);
+}
+
+/// The state that files show of a kind of sediment: at rest it is a deposit.
+inline SedimentState state_in_files(float kind) {
+  if (!(kind > 0)) return SedimentState::none;
+  return static_cast<SedimentState>(static_cast<int>(kind == kind::resting ? kind::deposit : kind));
+}
+
+/// The particles as files hold them; without ParticleSet::info. `download` brings a buffer to the host.
+template <int Dim, class Device, class Download>
+ParticleSet particle_set(const Scene<Dim>& scene, const SnapshotArrays<Device>& arrays, const Download& download) {
+  const auto& particles = download(arrays.particles);
+  const std::size_t n = particles.size();
+  ParticleSet out;
+  for (const SnapshotParticle& s : particles) {
+    out.id.push_back(s.id);
+    out.mass.push_back(s.mass);
+    out.type.push_back(static_cast<ParticleType>(s.type));
+    out.position.emplace_back(s.x[0], s.x[1], s.x[2]);
+    out.velocity.emplace_back(s.velocity[0], s.velocity[1], s.velocity[2]);
+    out.density.push_back(density_in_files(scene, s.kind) * (1 + s.excess));
+    out.pressure.push_back(s.pressure);
+  }
+  for (const auto& column : arrays.columns) {
+    const auto& values = download(column.values);
+    auto& named = out.scalars[column.name];
+    named.assign(values.begin(), values.end());
+    for (float& value : named) value /= column.unit;
+  }
+  for (const auto& column : arrays.kind_columns) {
+    auto& named = out.scalars[column.name];
+    for (const SnapshotParticle& s : particles) named.push_back(column.of(s.kind));
+  }
+  if (!scene.has_sediment) return out;
+  out.viscosity.assign(n, scene.water_viscosity);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (particles[i].kind > 0) out.viscosity[i] = particles[i].viscosity;
+  }
+  if (!scene.has_states) return out;
+  for (const SnapshotParticle& s : particles) out.state.push_back(state_in_files(s.kind));
+  return out;
+}
+
 /// A box, for the device; its sides may be infinite [m].
-struct ShownRegion {
+struct SnapshotRegion {
   double from[3];
   double to[3];
 
@@ -82,19 +201,13 @@ struct ShownRegion {
   }
 };
 
-/// Particle pass: gathers the particles named in `of`, or all.
-struct ShowPass {
-  Show show;
-  const Index* of;  // nullptr: 0, 1, 2 …
-  ShownParticle* shown;
-
-  HOST_DEVICE void operator()(Index n) const { shown[n] = show(of == nullptr ? n : of[n]); }
-};
-
-/// Whether a particle lies within any of the regions.
+/// True for particles within any of the regions.
 struct WithinRegions {
+  using reads = Reads<field::position>;
+  using writes = Writes<>;
+
   const Position* positions;
-  const ShownRegion* regions;
+  const SnapshotRegion* regions;
   std::size_t number;
 
   HOST_DEVICE bool operator()(Index i) const {
@@ -103,61 +216,5 @@ struct WithinRegions {
     return within;
   }
 };
-
-/// The particles as files hold them; without ParticleSet::info. `shown` is any array of ShownParticle.
-template <int Dim, class Shown>
-ParticleSet particle_set(const Scene<Dim>& scene, const Shown& shown) {
-  const std::size_t n = shown.size();
-  ParticleSet out;
-  out.id.resize(n);
-  out.mass.resize(n);
-  out.type.resize(n);
-  out.position.resize(n);
-  out.velocity.resize(n);
-  out.density.resize(n);
-  out.pressure.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const ShownParticle& s = shown[i];
-    out.id[i] = s.id;
-    out.mass[i] = s.mass;
-    out.type[i] = static_cast<ParticleType>(s.type);
-    out.position[i] = Vec3(s.x[0], s.x[1], s.x[2]);
-    out.velocity[i] = Eigen::Vector3f(s.velocity[0], s.velocity[1], s.velocity[2]);
-    out.density[i] = scene.density_in_files(s.phase) * (1 + s.excess);
-    out.pressure[i] = s.pressure;
-  }
-  const auto scalar = [&](const char* name, const auto& of) {
-    auto& values = out.scalars[name];
-    values.resize(n);
-    for (std::size_t i = 0; i < n; ++i) values[i] = of(shown[i]);
-  };
-  if (scene.seepage.mixture) scalar("Porosity", [](const ShownParticle& s) { return s.porosity; });
-  if (scene.has_moving_walls) {
-    scalar(motion_array, [](const ShownParticle& s) { return static_cast<float>(s.motion); });
-  }
-  if (scene.seepage.pore_pressure) {
-    scalar(excess_pore_pressure_array, [](const ShownParticle& s) { return s.pore_pressure; });
-  }
-  if (!scene.has_sediment) return out;
-  out.viscosity.assign(n, scene.water_viscosity);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (shown[i].phase == phase_sediment) out.viscosity[i] = shown[i].viscosity;
-  }
-  scalar("StrainRate", [](const ShownParticle& s) { return s.strain_rate; });
-  scalar("EffectivePressure", [](const ShownParticle& s) { return s.effective_pressure; });
-  scalar("YieldStress", [](const ShownParticle& s) { return s.yield_stress; });
-  if (scene.may_rest) {
-    scalar("Resting", [](const ShownParticle& s) { return s.state == state_resting ? 1.0F : 0.0F; });
-  }
-  if (!scene.has_states) return out;
-  const float grain_weight = scene.erosion.grain_weight;
-  scalar("ShieldsNumber", [=](const ShownParticle& s) { return shields_number(s.bed_shear_stress, grain_weight); });
-  out.state.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const float state = shown[i].state == state_resting ? state_deposit : shown[i].state;
-    out.state[i] = static_cast<SedimentState>(static_cast<int>(state));
-  }
-  return out;
-}
 
 }  // namespace thalweg

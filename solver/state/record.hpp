@@ -3,28 +3,27 @@
 #include <cstdint>
 
 #include "physics/vec.hpp"
+#include "solver/state/field.hpp"
 
 namespace thalweg {
 
 using Index = std::uint32_t;
 
-/// What a particle is to the pair sums; a float in the record because a small integer in a float lane is a denormal,
-/// which some devices compare equal to zero.
-inline constexpr float phase_wall = 0;
-inline constexpr float phase_water = 1;
-inline constexpr float phase_sediment = 2;
+/// The kind of a particle. The signs make two tests cheap in a pair sum: two particles are of one phase if the product
+/// of their kinds is positive, and a wall is 0. A float, because a small integer in a float lane is a denormal, which
+/// some devices compare equal to zero.
+namespace kind {
+inline constexpr float water = -1;
+inline constexpr float wall = 0;
+inline constexpr float deposit = 1;    // sediment that obeys the yield criterion; SedimentState of common/particles.hpp
+inline constexpr float bed_load = 2;   // sediment that the water's shear stress moves along the bed
+inline constexpr float suspended = 3;  // sediment that the water carries
+inline constexpr float resting = 4;    // a deposit that has stopped exactly; its neighbours take it for a wall
+}  // namespace kind
 
-/// What a sediment particle is doing: SedimentState of common/particles.hpp as a float, and `resting`: a deposit that
-/// has come to rest exactly and is to its neighbours what a wall is (models/rest/rest.hpp).
-inline constexpr float state_none = 0;
-inline constexpr float state_deposit = 1;
-inline constexpr float state_bed_load = 2;
-inline constexpr float state_suspended = 3;
-inline constexpr float state_resting = 4;
-
-/// What a pair sweep reads of a particle: 64 bytes, one cache line, four quads (solver/backend/openmp.hpp loads quads).
-/// `place` counts quanta of the domain's extent (Lattice in scene.hpp), so that differences are exact in 32 bits and
-/// wrap around periodic directions by themselves; the position proper is kept in double beside it.
+/// What a pair sweep reads of a particle: 64 bytes, one cache line, four quads (quad_place …).
+/// `place` counts quanta of the domain's extent (state/lattice.hpp), so that differences are exact in 32 bits and wrap
+/// around periodic directions by themselves; the position proper is kept in double beside it.
 struct alignas(64) Record {
   std::int32_t place[3];  // [quanta]
   float volume;           // [m^dim]; 0 takes the particle out of every sum
@@ -32,22 +31,40 @@ struct alignas(64) Record {
   float pressure;         // [Pa]
   float excess;           // rho/rho0 - 1 [-]; of a wall: share of sediment in the fluid it continues [-]
   float viscosity;        // [Pa s]
-  float phase;            // phase_wall, phase_water, phase_sediment
-  float state;            // state_none (no sediment), state_deposit …
-  float work[4];          // a vector of the implicit viscous solve
+  float kind;             // kind::water …
+  float unused;           // keeps the quad whole
+  float work[4];          // scratch of one pass after the other; its meanings are fields (field::…) of the models
 };
 static_assert(sizeof(Record) == 64);
 
-/// What a sweep reads of a particle in place of a record if the vectors of an iteration are all it needs: four of them
-/// share a cache line.
+/// The record of a sweep that needs nothing but the work quad: four of them share a cache line.
 struct alignas(16) Vectors {
   float work[4];
 };
 
-/// Quads of a record a sweep can ask for.
-enum Quads : unsigned { quad_place = 1, quad_motion = 2, quad_matter = 4, quad_work = 8 };
-
-HOST_DEVICE inline bool is_resting(const Record& r) { return r.state == state_resting; }
+/// True for water, for sediment, for walls; of a record or of a lane (one truth a lane).
+template <class R>
+HOST_DEVICE inline auto is_water(const R& r) {
+  return r.kind < decltype(r.kind)(-0.5F);
+}
+template <class R>
+HOST_DEVICE inline auto is_sediment(const R& r) {
+  return r.kind > decltype(r.kind)(0.5F);
+}
+template <class R>
+HOST_DEVICE inline auto is_wall(const R& r) {
+  return r.kind == decltype(r.kind)(kind::wall);
+}
+/// True for sediment at rest.
+template <class R>
+HOST_DEVICE inline auto is_resting(const R& r) {
+  return r.kind > decltype(r.kind)(3.5F);
+}
+/// True if both are water or both are sediment.
+template <class R>
+HOST_DEVICE inline auto same_phase(const R& a, const R& b) {
+  return a.kind * b.kind > decltype(a.kind)(0.0F);
+}
 
 /// One record in lanes: L is float (one pair at a time) or a pack (several), I the matching integer.
 template <int Dim, class L, class I>
@@ -58,16 +75,26 @@ struct Lane {
   L pressure;
   L excess;
   L viscosity;
-  L phase;
-  L state;
+  L kind;
   Vec<Dim, L> work;
 };
 
-/// The geometry of one pair, computed once for every body: r = x_a - x_b [m] and r^2 [m^2].
-template <int Dim, class L>
-struct Separation {
-  Vec<Dim, L> r;
-  L r2;
-};
+/// Where the members of a Record lie in its quads. Both backends fill lanes by it: `read` has place(quad, vector),
+/// vector(quad, vector) and number(quad, entry, number), with quad and entry as template arguments.
+template <int Dim, unsigned quads, class LaneT, class Read>
+HOST_DEVICE inline void read_lane(LaneT& lane, const Read& read) {
+  read.template place<0>(lane.place);
+  read.template number<0, 3>(lane.volume);
+  if constexpr ((quads & quad_flow) != 0) {
+    read.template vector<1>(lane.velocity);
+    read.template number<1, 3>(lane.pressure);
+  }
+  if constexpr ((quads & quad_matter) != 0) {
+    read.template number<2, 0>(lane.excess);
+    read.template number<2, 1>(lane.viscosity);
+    read.template number<2, 2>(lane.kind);
+  }
+  if constexpr ((quads & quad_work) != 0) read.template vector<3>(lane.work);
+}
 
 }  // namespace thalweg

@@ -2,8 +2,11 @@
 
 #include <vector>
 
+#include "solver/backend/device.hpp"
+#include "solver/models/moving_walls/arrays.hpp"
 #include "solver/models/moving_walls/wall_motion.hpp"
-#include "solver/state/particles.hpp"
+#include "solver/state/scene.hpp"
+#include "solver/state/step_state.hpp"
 
 // Walls that move as the case prescribes. Fluid velocities stand half a step before and after its places (leapfrog,
 // passes/integrate.hpp), and so do the walls': while the fluid moves, a wall has the mean velocity of the step, so that
@@ -15,6 +18,9 @@ namespace thalweg {
 /// comes back.
 template <int Dim>
 struct MoveWallPass {
+  using reads = Reads<field::motion, field::moved_from>;
+  using writes = Writes<field::place, field::flow, field::position, field::rates>;
+
   Record* records;
   Position* positions;
   Rates* rates;
@@ -91,6 +97,30 @@ void move_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const
     const double way = motion.at(t + dt).place - from;
     return RigidState{from + share * way, way / dt, 0};
   });
+}
+
+/// Squares of the largest speed and acceleration of walls that move.
+template <class Device>
+void find_wall_extremes(Device& on, const Particles<Device>& p, StepState* state) {
+  const Record* records = p.record.data() + p.fluid_count;
+  const Rates* rates = p.rates.data() + p.fluid_count;
+  on.reduce_then(
+      p.count - p.fluid_count, Extremes{},
+      declare<Reads<field::place, field::flow, field::rates>, Writes<>>([=] HOST_DEVICE(Index i) {
+        Extremes e;
+        if (records[i].volume == 0) return e;
+        for (int c = 0; c < 3; ++c) {
+          e.speed2 += records[i].velocity[c] * records[i].velocity[c];
+          e.acceleration2 += rates[i].acceleration[c] * rates[i].acceleration[c];
+        }
+        return e;
+      }),
+      [] HOST_DEVICE(Extremes a, const Extremes& b) {
+        a.speed2 = a.speed2 > b.speed2 ? a.speed2 : b.speed2;
+        a.acceleration2 = a.acceleration2 > b.acceleration2 ? a.acceleration2 : b.acceleration2;
+        return a;
+      },
+      [=] HOST_DEVICE(const Extremes& found) { state->walls = found; });
 }
 
 }  // namespace thalweg

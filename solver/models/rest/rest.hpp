@@ -1,7 +1,12 @@
 #pragma once
 
-#include "solver/passes/pressure.hpp"
-#include "solver/passes/time_step.hpp"
+#include "solver/lists/selection.hpp"
+#include "solver/models/bed/arrays.hpp"
+#include "solver/models/implicit/viscous_system.hpp"
+#include "solver/models/rest/arrays.hpp"
+#include "solver/models/rest/resting_pressure.hpp"
+#include "solver/models/rest/scene.hpp"
+#include "solver/state/step_state.hpp"
 
 // Deposits that rest. Sediment which has been below yield and slow for a while, with nothing moving in reach and
 // something that holds it, stops exactly: it is a wall to its neighbours, leaves the viscous solve and costs next to
@@ -9,19 +14,19 @@
 // stand, or where the water's shear stress moves its grains (models/states/bed_states.hpp). A Papanastasiou fluid alone would
 // creep for ever: 2 mm/s on a slope 5 deg below repose, 5 cm thick, at m = 100 s.
 //
-// Nothing jumps where it stops, being slow then, nor where it wakes: it does so from zero velocity with the pressure
-// its neighbours have felt from it.
+// Stopping and waking are continuous: a particle stops only when it is slow, and wakes at zero velocity, with the
+// pressure that its neighbours have felt from it.
 namespace thalweg {
 
 namespace rest {
 
-/// A wall that moves lets nothing beside it rest.
+/// True for a wall that moves: nothing beside it may rest.
 HOST_DEVICE inline bool is_moving_wall(const Record& r) {
   const bool stands = r.velocity[0] == 0 && r.velocity[1] == 0 && r.velocity[2] == 0;
-  return r.phase == phase_wall && r.volume != 0 && !stands;
+  return is_wall(r) && r.volume != 0 && !stands;
 }
 
-/// A cluster's list is that of four particles, which may lie apart.
+/// True if b lies within the support of a. A cluster's list is that of four particles, which may lie apart.
 template <int Dim>
 HOST_DEVICE inline bool in_reach(const Scene<Dim>& scene, const Record& a, const Record& b) {
   float r2 = 0;
@@ -34,13 +39,16 @@ HOST_DEVICE inline bool in_reach(const Scene<Dim>& scene, const Record& a, const
 
 /// Wakes a particle at rest.
 HOST_DEVICE inline void wake(Record& r, Sediment& s) {
-  r.state = state_deposit;
-  s.calm = 0;
+  r.kind = kind::deposit;
+  s.time_below_yield = 0;
   for (float& a : s.viscous_acceleration) a = 0;
 }
 
-/// Particle pass: time the particle has been calm, and waking; returns how many it woke.
+/// Particle pass: the time a particle has been calm, and waking; returns how many it woke.
 struct CalmPass {
+  using reads = Reads<field::flow, field::matter, field::sediment>;
+  using writes = Writes<field::matter, field::sediment>;
+
   Record* records;
   Sediment* sediment;
   RestCriteria criteria;
@@ -49,7 +57,7 @@ struct CalmPass {
 
   HOST_DEVICE Index operator()(Index i) const {
     Record& r = records[i];
-    if (r.phase != phase_sediment) return 0;
+    if (!is_sediment(r)) return 0;
     Sediment& s = sediment[i];
     const bool steep = s.bed_slope > repose_tangent;
     if (is_resting(r)) {
@@ -60,16 +68,20 @@ struct CalmPass {
     float u2 = 0;
     for (const float u : r.velocity) u2 += u * u;
     const bool calm = !steep && s.strain_rate < criteria.shear_rate && u2 < criteria.speed * criteria.speed &&
-                      r.state == state_deposit;
-    s.calm = calm ? s.calm + static_cast<float>(state->step.dt) : 0;
+                      r.kind == kind::deposit;
+    s.time_below_yield = calm ? s.time_below_yield + static_cast<float>(state->step.dt) : 0;
     return 0;
   }
 };
 
-/// Whether a calm particle may stop: all sediment in the reach of its cluster is calm or rests, and there is a wall or
+/// True if a calm particle may stop: all sediment in the reach of its cluster is calm or rests, and there is a wall or
 /// something at rest that holds it.
 template <int Dim>
 struct MayStop {
+  using neighbours = Neighbours<field::place, field::flow, field::matter, field::sediment>;
+  using reads = Reads<field::place, field::matter, field::sediment>;
+  using writes = Writes<>;
+
   const Record* records;
   const Sediment* sediment;
   ClusterList list;
@@ -77,7 +89,7 @@ struct MayStop {
 
   HOST_DEVICE bool operator()(Index i) const {
     const float time = scene.rest.time;
-    if (records[i].phase != phase_sediment || is_resting(records[i]) || sediment[i].calm < time) return false;
+    if (!is_sediment(records[i]) || is_resting(records[i]) || sediment[i].time_below_yield < time) return false;
     const Index cluster = i / cluster_size;
     bool held = false;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
@@ -85,9 +97,9 @@ struct MayStop {
       if (j == list.count || !in_reach(scene, records[i], records[j])) continue;
       const Record& b = records[j];
       if (is_moving_wall(b)) return false;
-      if (b.phase == phase_wall || is_resting(b)) {
+      if (is_wall(b) || is_resting(b)) {
         held = true;
-      } else if (b.phase == phase_sediment && sediment[j].calm < time) {
+      } else if (is_sediment(b) && sediment[j].time_below_yield < time) {
         return false;
       }
     }
@@ -97,35 +109,53 @@ struct MayStop {
 
 }  // namespace rest
 
+namespace rest {
+
+/// Looks into clusters for what rests and what is active.
+struct ClusterActivity {
+  const Record* records;
+  ClusterList list;
+
+  [[nodiscard]] HOST_DEVICE Index resting_members(Index c) const {
+    Index n = 0;
+    for (Index i = list.first(c); i < list.last(c); ++i) n += is_resting(records[i]) ? 1 : 0;
+    return n;
+  }
+  [[nodiscard]] HOST_DEVICE bool all_rest(Index c) const { return resting_members(c) == list.last(c) - list.first(c); }
+  [[nodiscard]] HOST_DEVICE bool active_in_reach(Index c) const {
+    for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
+      const Record& b = records[list.entries[e]];
+      if ((!is_wall(b) && !is_resting(b)) || is_moving_wall(b)) return true;
+    }
+    return false;
+  }
+};
+
+}  // namespace rest
+
 /// Makes the lists of clusters that have to be computed after sediment has stopped or woken, or the neighbour lists are
 /// new.
 template <class Device>
 void list_active_clusters(Device& on, Particles<Device>& p) {
-  const Record* records = p.record.data();
-  const ClusterList list = p.list();
-  const auto resting_members = [=] HOST_DEVICE(Index c) {
-    Index n = 0;
-    for (Index i = list.first(c); i < list.last(c); ++i) n += is_resting(records[i]) ? 1 : 0;
-    return n;
-  };
-  const auto active_in_reach = [=] HOST_DEVICE(Index c) {
-    for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
-      const Record& b = records[list.entries[e]];
-      if ((b.phase != phase_wall && !is_resting(b)) || rest::is_moving_wall(b)) return true;
-    }
-    return false;
-  };
-  const ClusterRange sediment{p.clusters_with_sediment.data(), static_cast<Index>(p.clusters_with_sediment.size())};
-  const ClusterRange walls{p.clusters_of_walls.data(), static_cast<Index>(p.clusters_of_walls.size())};
-  const auto all_rest = [=] HOST_DEVICE(Index c) { return resting_members(c) == list.last(c) - list.first(c); };
+  const rest::ClusterActivity of{p.record.data(), p.list()};
+  const ClusterRange sediment = p.range(p.clusters_with_sediment);
+  const ClusterRange walls = p.range(p.clusters_of_walls);
+  using OfMembers = Reads<field::matter>;
+  using OfOthers = Neighbours<field::place, field::flow, field::matter>;
   Selection<Device> selection(on);
-  selection.choose(
-      sediment, [=] HOST_DEVICE(Index c) { return resting_members(c) > 0 && !all_rest(c); }, p.clusters_part_resting);
-  selection.choose(
-      sediment, [=] HOST_DEVICE(Index c) { return !all_rest(c); }, p.clusters_active);
-  selection.choose(
-      sediment, [=] HOST_DEVICE(Index c) { return all_rest(c) && active_in_reach(c); }, p.clusters_shore);
-  selection.choose(walls, active_in_reach, p.clusters_of_walls_active);
+  selection.choose(sediment, declare<OfMembers, Writes<>>([=] HOST_DEVICE(Index c) {
+                     return of.resting_members(c) > 0 && !of.all_rest(c);
+                   }),
+                   p.clusters_part_resting);
+  selection.choose(sediment, declare<OfMembers, Writes<>>([=] HOST_DEVICE(Index c) { return !of.all_rest(c); }),
+                   p.clusters_active);
+  selection.choose(sediment, declare<OfOthers, OfMembers, Writes<>>([=] HOST_DEVICE(Index c) {
+                     return of.all_rest(c) && of.active_in_reach(c);
+                   }),
+                   p.clusters_rest_front);
+  selection.choose(walls,
+                   declare<OfOthers, OfMembers, Writes<>>([=] HOST_DEVICE(Index c) { return of.active_in_reach(c); }),
+                   p.clusters_of_walls_active);
   selection.finish();
   p.any_resting = p.clusters_active.size() < p.clusters_with_sediment.size() || p.clusters_part_resting.size() > 0;
 }
@@ -136,10 +166,11 @@ void wake_beside_moving_walls(Device& on, Particles<Device>& p, const Scene<Dim>
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
   const ClusterList list = p.list();
-  for (const ClusterRange range : {p.shore(), p.part_resting()}) {
+  for (const ClusterRange range : {p.rest_front(), p.part_resting()}) {
     on.reduce_then(
         range.count, Index{0},
-        [=] HOST_DEVICE(Index n) {
+        declare<Neighbours<field::place, field::flow, field::matter>, Reads<field::matter, field::sediment>,
+                Writes<field::matter, field::sediment>>([=] HOST_DEVICE(Index n) {
           const Index c = range[n];
           Index woken = 0;
           for (Index i = list.first(c); i < list.last(c); ++i) {
@@ -152,7 +183,7 @@ void wake_beside_moving_walls(Device& on, Particles<Device>& p, const Scene<Dim>
             }
           }
           return woken;
-        },
+        }),
         [] HOST_DEVICE(Index a, Index b) { return a + b; }, [=] HOST_DEVICE(Index woken) { state->woken += woken; });
   }
 }
@@ -171,23 +202,28 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Step
   p.stopping.resize(p.fluid_count);
   std::uint8_t* stopping = p.stopping.data();
   const rest::MayStop<Dim> may_stop{records, sediment, p.list(), scene};
-  on.for_each(p.fluid_count, [=] HOST_DEVICE(Index i) { stopping[i] = may_stop(i) ? 1 : 0; });
+  on.for_each(
+      p.fluid_count,
+      declare<typename rest::MayStop<Dim>::neighbours, typename rest::MayStop<Dim>::reads, Writes<field::stopping>>(
+          [=] HOST_DEVICE(Index i) { stopping[i] = may_stop(i) ? 1 : 0; }));
   Rates* rates = p.rates.data();
-  // What stops has the pressure and volume of its last density: the equation of state leaves it alone from now on.
+  // A particle that stops has the pressure and volume of its last density: the equation of state leaves it alone.
   const EquationOfStatePass<Dim> take_state{records, p.mass.data(), scene};
   on.reduce_then(
       p.fluid_count, Index{0},
-      [=] HOST_DEVICE(Index i) {
-        if (stopping[i] == 0) return Index{0};
-        take_state(i);
-        records[i].state = state_resting;
-        for (int c = 0; c < 3; ++c) {
-          records[i].velocity[c] = records[i].work[c] = sediment[i].viscous_acceleration[c] = 0;
-        }
-        rates[i] = {};
-        sediment[i].strain_rate = 0;
-        return Index{1};
-      },
+      declare<Reads<field::place, field::matter, field::mass, field::stopping>,
+              Writes<field::place, field::flow, field::matter, field::viscous_vector, field::rates, field::sediment>>(
+          [=] HOST_DEVICE(Index i) {
+            if (stopping[i] == 0) return Index{0};
+            take_state(i);
+            records[i].kind = kind::resting;
+            for (int c = 0; c < 3; ++c) {
+              records[i].velocity[c] = records[i].work[c] = sediment[i].viscous_acceleration[c] = 0;
+            }
+            rates[i] = {};
+            sediment[i].strain_rate = 0;
+            return Index{1};
+          }),
       sum, [=] HOST_DEVICE(Index stopped) { state->stopped += stopped; });
 }
 

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
-#include "physics/pair_terms.hpp"
-#include "solver/passes/time_step.hpp"
+#include "physics/no_slip.hpp"
+#include "solver/models/bed/arrays.hpp"
+#include "solver/models/implicit/viscous_system.hpp"
+#include "solver/passes/sweep.hpp"
 
 // Implicit viscosity of the sediment and of the layer between water and sediment: solves
 //   m_a u_a + dt sum_b k_ab (u_a - u_b) = m_a u*_a
@@ -20,100 +22,15 @@
 // the numbers they exchange stay on the device (ViscousState).
 namespace thalweg {
 
-/// Arrays of the solve, kept between steps.
-template <class Device>
-struct ViscousSystem {
-  template <class T>
-  using Buffer = typename Device::template Buffer<T>;
-  struct Row {
-    float residual[3];   // r [kg m/s]
-    float diagonal;      // [kg]
-    float product[3];    // A u, u = r/diagonal (IterationVector) [kg m/s]
-    float direction[3];  // p [m/s]
-    float along[3];      // A p [kg m/s]
-    float increment[3];  // of the velocity [m/s]
-  };
-  Buffer<typename Device::PairCoefficient> coefficient;  // k_ab [kg/s], one a pair, in the order of the lists
-  Buffer<Vectors> vectors;                               // u of all particles, if the coefficients are kept
-  Buffer<Row> row;
-};
-
-/// Where the vector u lies that an iteration multiplies by, and behind its three components the mass with what the
-/// walls' surfaces add to the diagonal [kg]: in an array of its own if the coefficients are kept, as there is nothing
-/// else then that a sweep reads of a neighbour; else in the records' work quad, beside what the coefficients are
-/// computed from.
-template <bool stored>
-struct IterationVector {
-  using From = std::conditional_t<stored, Vectors, Record>;
-  From* from;
-  HOST_DEVICE float* operator[](Index i) const { return from[i].work; }
-};
-inline constexpr int own_mass = 3;
-template <bool stored, class Device>
-IterationVector<stored> iteration_vector(Particles<Device>& p, ViscousSystem<Device>& system) {
-  if constexpr (stored) {
-    return {system.vectors.data()};
-  } else {
-    return {p.record.data()};
-  }
-}
-
-namespace viscosity {
-
-HOST_DEVICE inline double dot3(const float* a, const float* b) {
-  return double(a[0]) * double(b[0]) + double(a[1]) * double(b[1]) + double(a[2]) * double(b[2]);
-}
-
-/// Sums over particles that the iteration needs.
-struct Norms {
-  double preconditioned = 0;  // r . r / diagonal
-  double squared = 0;         // r . r
-  double momentum = 0;        // square of what gravity and the present accelerations give per time [kg m/s^2]
-};
-struct AddNorms {
-  HOST_DEVICE Norms operator()(const Norms& a, const Norms& b) const {
-    return {a.preconditioned + b.preconditioned, a.squared + b.squared, a.momentum + b.momentum};
-  }
-};
-
-template <class Row>
-HOST_DEVICE Norms norms_of(const Row& row) {
-  const double squared = dot3(row.residual, row.residual);
-  return {squared / double(row.diagonal), squared, 0};
-}
-
-}  // namespace viscosity
-
-/// What couples the velocities of two particles in a single-layer bed: the sediment's viscosity, and the layer between
-/// water and sediment.
-template <int Dim>
-struct ViscousCoupling {
-  static constexpr unsigned quads = quad_place | quad_motion | quad_matter;
-  static constexpr bool needs_stored = false;
-  Scene<Dim> scene;
-
-  /// k_ab [kg/s]; u = u_a - u_b. What a wall adds by being behind its surface is not in it (WallDrag).
-  template <class LaneT, class L>
-  HOST_DEVICE L coefficient(const LaneT& a, const LaneT& b, const Vec<Dim, L>& u, const L& closeness) const {
-    const auto a_sediment = a.phase > L(phase_water + 0.5F);
-    const auto b_sediment = b.phase > L(phase_water + 0.5F);
-    const auto b_wall = b.phase < L(phase_wall + 0.5F);
-    const L interface = L(2.0F) * interface_viscosity(L(scene.water_viscosity), L(scene.water_density),
-                                                      lane_sqrt(dot(u, u)), L(static_cast<float>(scene.spacing)));
-    const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
-    const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
-    const L of_water = lane_select(b_sediment, interface, L(0.0F));
-    return viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water),
-                               scene.kernel.gradient(closeness));
-  }
-};
-
-/// Pair sweep: the diagonal and the residual of the velocities u in the records, which are the explicit ones u* and a
-/// first guess dt v of what viscosity adds: -m_a dt v_a - dt sum k_ab (u_a - u_b). If `stored`, the coefficients k_ab
-/// as well.
+/// Pair sweep: the diagonal and the residual of the first guess, -m_a dt v_a - dt sum k_ab (u_a - u_b). The records
+/// hold the guess u = u* + dt v: the explicit velocity and the viscous acceleration of the last step. If `stored`, the
+/// sweep stores the coefficients k_ab as well.
 template <int Dim, bool stored, class Kept, class Row, class Coupling>
 struct ViscousCoefficientSweep {
-  static constexpr unsigned quads = Coupling::quads;
+  using neighbours = typename Coupling::neighbours;
+  using reads = Reads<field::place, field::flow, field::matter, field::mass, field::rates, field::sediment>;
+  using writes = Writes<field::viscous_vector>;
+  static constexpr unsigned kernel = Coupling::kernel;
   template <class L>
   struct Sum {
     L coefficients;
@@ -131,15 +48,15 @@ struct ViscousCoefficientSweep {
   Coupling coupling;
   const StepState* state;
 
-  template <class LaneT, class Sep, class L>
-  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
+  template <class LaneT, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t entry,
+                        Sum<L>& sum) const {
     const Vec<Dim, L> u = a.velocity - b.velocity;
-    const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
-    const L k = coupling.coefficient(a, b, u, closeness);
+    const L k = coupling.coefficient(a, b, u, g);
     if constexpr (stored) lane_store(coefficient + entry, k);
     sum.coefficients += k;
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * u[c];
-    sum.walls.add(lane_select(b.phase < L(phase_wall + 0.5F), k, L(0.0F)), s, u);
+    sum.walls.add(lane_select(is_wall(b), k, L(0.0F)), g, u);
   }
 
   /// The sums the iteration starts from.
@@ -169,7 +86,11 @@ struct ViscousCoefficientSweep {
 /// until the iteration is over. Returns u . A u.
 template <int Dim, bool stored, class Kept, class Row, class Coupling>
 struct ViscousProductSweep {
-  static constexpr unsigned quads = quad_work | Coupling::quads;
+  using neighbours = std::conditional_t<stored, Neighbours<field::viscous_vector>,
+                                        typename Coupling::neighbours::template With<field::viscous_vector>>;
+  using reads = Reads<field::matter, field::viscous_vector>;
+  using writes = Writes<>;
+  static constexpr unsigned kernel = stored ? unsigned{no_kernel} : Coupling::kernel;
   template <class L>
   struct Sum {
     Vec<Dim, L> exchange;
@@ -182,14 +103,14 @@ struct ViscousProductSweep {
   Coupling coupling;
   const StepState* state;
 
-  template <class LaneT, class Sep, class L>
-  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const Sep& s, std::size_t entry, Sum<L>& sum) const {
+  template <class LaneT, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t entry,
+                        Sum<L>& sum) const {
     L k;
     if constexpr (stored) {
       lane_load(coefficient + entry, k);
     } else {
-      const L closeness = coupling.scene.kernel.closeness(lane_sqrt(s.r2));
-      k = coupling.coefficient(a, b, a.velocity - b.velocity, closeness);
+      k = coupling.coefficient(a, b, a.velocity - b.velocity, g);
     }
     for (int c = 0; c < Dim; ++c) sum.exchange[c] += k * (a.work[c] - b.work[c]);
   }
@@ -208,6 +129,9 @@ struct ViscousProductSweep {
 /// Particle pass: the rest of an iteration, from the A u that the sweep found. Returns the sums of the new residual.
 template <class Row, class Vector>
 struct ViscousUpdatePass {
+  using reads = Reads<field::viscous_vector>;
+  using writes = Writes<field::viscous_vector>;
+
   Vector vector;
   Row* rows;
   const StepState* state;
@@ -227,17 +151,6 @@ struct ViscousUpdatePass {
     return viscosity::norms_of(row);
   }
 };
-
-namespace viscosity {
-
-/// Whether the iteration is over, of a residual whose square is given.
-HOST_DEVICE inline void judge(ViscousState& v, double squared, double tolerance, int most_iterations) {
-  v.residual = v.scale > 0 ? std::sqrt(squared) / v.scale : 0;
-  v.converged = v.residual <= tolerance ? 1 : 0;
-  v.running = v.converged == 0 && v.iterations < most_iterations && std::isfinite(v.residual) ? 1 : 0;
-}
-
-}  // namespace viscosity
 
 /// Begins the solve for the velocities of the fluid near sediment at the end of the step of state->step.dt. The
 /// residual it will stop at is scene.viscous_tolerance of the momentum that gravity and the present accelerations give
@@ -261,17 +174,19 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   Sediment* sediment = p.sediment.data();
   const auto vector = iteration_vector<stored>(p, system);
   if constexpr (stored) {  // zero for walls and water far from sediment
-    on.for_each(p.count + 1, [=] HOST_DEVICE(Index i) { vector.from[i] = {}; });
+    on.for_each(p.count + 1,
+                declare<Reads<>, Writes<field::viscous_vector>>([=] HOST_DEVICE(Index i) { vector.from[i] = {}; }));
   }
-  // What viscosity did in the last step is the best guess of what it does in this one.
-  for_each_member(on, list, range, [=] HOST_DEVICE(Index i) {
-    const auto dt = static_cast<float>(state->step.dt);
-    for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
-  });
+  // The viscous acceleration of the last step is the best guess for this one.
+  for_each_member(on, list, range,
+                  declare<Reads<field::flow, field::sediment>, Writes<field::flow>>([=] HOST_DEVICE(Index i) {
+                    const auto dt = static_cast<float>(state->step.dt);
+                    for (int c = 0; c < 3; ++c) records[i].velocity[c] += dt * sediment[i].viscous_acceleration[c];
+                  }));
   const double tolerance = scene.viscous_tolerance;
   const int most_iterations = scene.viscous_iterations;
   on.template sweep_then<Dim>(
-      list, range, records, scene.lattice.quantum,
+      list, range, records, scene.metric(),
       ViscousCoefficientSweep<Dim, stored, Kept, Row, Coupling>{
           records, p.mass.data(), p.rates.data(), sediment, vector, system.coefficient.data(), rows, coupling, state},
       viscosity::Norms{}, viscosity::AddNorms{}, [=] HOST_DEVICE(const viscosity::Norms& norms) {
@@ -282,9 +197,9 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
         if (v.scale == 0) v.scale = std::sqrt(norms.squared);
         viscosity::judge(v, norms.squared, tolerance, most_iterations);
       });
-  for_each_member(on, list, range, [=] HOST_DEVICE(Index i) {
-    for (int c = 0; c < 3; ++c) vector[i][c] = rows[i].residual[c] / rows[i].diagonal;
-  });
+  for_each_member(on, list, range, declare<Reads<>, Writes<field::viscous_vector>>([=] HOST_DEVICE(Index i) {
+                    for (int c = 0; c < 3; ++c) vector[i][c] = rows[i].residual[c] / rows[i].diagonal;
+                  }));
 }
 
 /// At most so many iterations of the solve begun; on the host it stops when the solve is over.
@@ -302,13 +217,13 @@ void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& s
   const double tolerance = scene.viscous_tolerance;
   const int most_iterations = scene.viscous_iterations;
   const auto vector = iteration_vector<stored>(p, system);
-  const int* const outer = on.only_if(&state->viscous.running);
+  const int* const outer = on.skip_unless(&state->viscous.running);
   for (int n = 0; n < iterations; ++n) {
     if constexpr (Device::is_host) {
       if (state->viscous.running == 0) break;
     }
     on.template sweep_then<Dim>(
-        list, range, vector.from, scene.lattice.quantum,
+        list, range, vector.from, scene.metric(),
         ViscousProductSweep<Dim, stored, Kept, Row, Coupling>{records, vector, system.coefficient.data(), rows,
                                                               coupling, state},
         0.0, [] HOST_DEVICE(double a, double b) { return a + b; },
@@ -327,7 +242,7 @@ void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& s
                           viscosity::judge(v, norms.squared, tolerance, most_iterations);
                         });
   }
-  on.only_if(outer);
+  on.skip_unless(outer);
 }
 
 /// Replaces the velocities by the solution, or takes the guess back where there is none; then, and where the iteration
@@ -339,22 +254,24 @@ void end_viscous_solve(Device& on, Particles<Device>& p, ViscousSystem<Device>& 
   const auto* rows = system.row.data();
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
-  for_each_member(on, p.list(), range, [=] HOST_DEVICE(Index i) {
-    const ViscousState& v = state->viscous;
-    if (state->go == 0 || v.running != 0) return;
-    const auto dt = static_cast<float>(state->step.dt);
-    for (int c = 0; c < 3; ++c) {
-      if (v.converged != 0) {
-        records[i].velocity[c] += rows[i].increment[c];
-        sediment[i].viscous_acceleration[c] += rows[i].increment[c] / dt;
-      } else {
-        records[i].velocity[c] -= dt * sediment[i].viscous_acceleration[c];
-      }
-    }
-  });
-  on.for_each(1, [=] HOST_DEVICE(Index) {
-    state->moves = state->go != 0 && state->viscous.running == 0 && state->viscous.converged != 0 ? 1 : 0;
-  });
+  for_each_member(
+      on, p.list(), range,
+      declare<Reads<field::flow, field::sediment>, Writes<field::flow, field::sediment>>([=] HOST_DEVICE(Index i) {
+        const ViscousState& v = state->viscous;
+        if (state->go == 0 || v.running != 0) return;
+        const auto dt = static_cast<float>(state->step.dt);
+        for (int c = 0; c < 3; ++c) {
+          if (v.converged != 0) {
+            records[i].velocity[c] += rows[i].increment[c];
+            sediment[i].viscous_acceleration[c] += rows[i].increment[c] / dt;
+          } else {
+            records[i].velocity[c] -= dt * sediment[i].viscous_acceleration[c];
+          }
+        }
+      }));
+  on.for_each(1, declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index) {
+                state->moves = state->go != 0 && state->viscous.running == 0 && state->viscous.converged != 0 ? 1 : 0;
+              }));
 }
 
 }  // namespace thalweg

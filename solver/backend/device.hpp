@@ -1,0 +1,156 @@
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <utility>
+
+#include "solver/state/cluster_list.hpp"
+#include "solver/state/pair_geometry.hpp"
+
+// The contracts between passes and backends. A device offers verbs (backend/openmp.hpp says what each does); a body is
+// what a verb runs for every particle or pair, and declares the fields it touches.
+namespace thalweg {
+
+/// The fields that a body touches: of other particles, of its own particle, and those it writes.
+struct Access {
+  std::span<const Field* const> neighbours = {};
+  std::span<const Field* const> reads = {};
+  std::span<const Field* const> writes = {};
+};
+
+/// Told of every body before and after a device runs it. A domain of several machines exchanges here the neighbours'
+/// fields that have become stale; a test checks the declarations. None on one machine: nullptr.
+class AccessListener {
+ public:
+  virtual ~AccessListener() = default;
+  virtual void before(const Access& access) = 0;
+  virtual void after(const Access& access) = 0;
+};
+
+/// Every body: `using reads = Fields<…>` of its own particle, `using writes = Fields<…>`.
+template <class Body>
+concept DeclaresFields = requires {
+  typename Body::reads;
+  typename Body::writes;
+};
+
+/// A body that looks at other particles says at which of their fields: `using neighbours = Fields<…>`.
+template <class Body>
+concept DeclaresNeighbours = DeclaresFields<Body> && requires {
+  typename Body::neighbours;
+};
+
+/// A pair sweep's body: which parts of the kernel it needs, a sum of lanes, pair() and end().
+template <class Body, int Dim>
+concept SweepBody = DeclaresNeighbours<Body> &&
+    requires(const Body& body, const Lane<Dim, float, std::int32_t>& lane, const PairGeometry<Dim, float>& geometry,
+             std::size_t entry, typename Body::template Sum<float>& sum, Index i) {
+  { Body::kernel } -> std::convertible_to<unsigned>;
+  body.pair(lane, lane, geometry, entry, sum);
+  body.end(i, sum);
+};
+
+/// What every backend offers; the verbs that take bodies are checked where they are called.
+template <class D>
+concept Device = requires(D on, typename D::template Buffer<float>& numbers,
+                          typename D::template Buffer<Index>& indices, typename D::template Buffer<std::uint64_t>& keys,
+                          const int* flag, std::int64_t* counter) {
+  typename D::PairCoefficient;
+  { D::is_host } -> std::convertible_to<bool>;
+  { D::stores_coefficients } -> std::convertible_to<bool>;
+  D::atomic_add(counter, std::int64_t{1});
+  on.fill(numbers, std::size_t{1}, 0.0F);
+  on.download(numbers);
+  on.write(0.0F, numbers.data());
+  { on.read(numbers.data()) } -> std::same_as<float>;
+  { on.skip_unless(flag) } -> std::same_as<const int*>;
+  { on.exclusive_scan(indices, indices) } -> std::same_as<Index>;
+  on.sort_by_key(keys, indices);
+  on.reorder(numbers, indices, numbers);
+  on.async_download();
+  on.finish();
+};
+
+/// What a body declares; nothing of one that declares nothing, which the checks below refuse.
+template <class Body>
+consteval Access declared_access() {
+  Access access;
+  if constexpr (DeclaresNeighbours<Body>) access.neighbours = Body::neighbours::list;
+  if constexpr (DeclaresFields<Body>) {
+    access.reads = Body::reads::list;
+    access.writes = Body::writes::list;
+  }
+  return access;
+}
+template <class Body>
+inline constexpr Access access_of = declared_access<Body>();
+
+/// Compile-time checks with one message each; every verb makes one of them.
+template <class Body>
+constexpr void require_particle_body() {
+  static_assert(DeclaresFields<Body>,
+                "a body declares its fields: `using reads = Fields<...>; using writes = Fields<...>;` (a lambda: "
+                "declare<Reads<...>, Writes<...>>(lambda), backend/device.hpp)");
+}
+template <class Body, int Dim>
+constexpr void require_sweep_body() {
+  static_assert(DeclaresFields<Body>,
+                "a sweep's body declares its fields: `using reads = Fields<...>; using writes = Fields<...>;`");
+  static_assert(DeclaresNeighbours<Body>,
+                "a sweep's body declares what it reads of both particles of a pair: `using neighbours = Fields<...>;`");
+  static_assert(!DeclaresNeighbours<Body> || SweepBody<Body, Dim>,
+                "a sweep's body has `static constexpr unsigned kernel`, `template <class L> struct Sum`, "
+                "pair(a, b, geometry, entry, sum) and end(i, sum) (backend/openmp.hpp, sweep)");
+}
+
+template <const Field&... fields>
+using Reads = Fields<fields...>;
+template <const Field&... fields>
+using Writes = Fields<fields...>;
+template <const Field&... fields>
+using Neighbours = Fields<fields...>;
+
+/// A lambda with the fields it touches.
+template <class ReadFields, class WrittenFields, class Lambda>
+struct Declared {
+  using reads = ReadFields;
+  using writes = WrittenFields;
+  Lambda lambda;
+  template <class... Arguments>
+  HOST_DEVICE auto operator()(const Arguments&... arguments) const {
+    return lambda(arguments...);
+  }
+};
+/// The same of a lambda that looks at other particles.
+template <class NeighbourFields, class ReadFields, class WrittenFields, class Lambda>
+struct DeclaredWithNeighbours : Declared<ReadFields, WrittenFields, Lambda> {
+  using neighbours = NeighbourFields;
+};
+
+template <class ReadFields, class WrittenFields, class Lambda>
+auto declare(Lambda lambda) {
+  return Declared<ReadFields, WrittenFields, Lambda>{std::move(lambda)};
+}
+template <class NeighbourFields, class ReadFields, class WrittenFields, class Lambda>
+auto declare(Lambda lambda) {
+  return DeclaredWithNeighbours<NeighbourFields, ReadFields, WrittenFields, Lambda>{{std::move(lambda)}};
+}
+
+/// Tells a listener, if there is one, what runs while this lives.
+class Announcement {
+ public:
+  Announcement(AccessListener* listener, const Access& access) : listener_(listener), access_(access) {
+    if (listener_ != nullptr) listener_->before(access_);
+  }
+  ~Announcement() {
+    if (listener_ != nullptr) listener_->after(access_);
+  }
+  Announcement(const Announcement&) = delete;
+  Announcement& operator=(const Announcement&) = delete;
+
+ private:
+  AccessListener* listener_;
+  const Access& access_;
+};
+
+}  // namespace thalweg

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+namespace thalweg {
+
+/// An array in the memory of a device. Contents are kept when it grows; new entries are uninitialised.
+template <class T, class Runtime>
+class DeviceBuffer {
+ public:
+  DeviceBuffer() = default;
+  DeviceBuffer(const DeviceBuffer&) = delete;
+  DeviceBuffer& operator=(const DeviceBuffer&) = delete;
+  DeviceBuffer(DeviceBuffer&& b) noexcept { swap(b); }
+  DeviceBuffer& operator=(DeviceBuffer&& b) noexcept {
+    swap(b);
+    return *this;
+  }
+  ~DeviceBuffer() { Runtime::release(data_); }
+
+  void resize(std::size_t n) {
+    if (n > capacity_) {
+      DeviceBuffer larger;
+      larger.data_ = static_cast<T*>(Runtime::allocate(n * sizeof(T)));
+      larger.capacity_ = n;
+      if (size_ > 0) Runtime::copy_on_device(larger.data_, data_, size_ * sizeof(T));
+      swap(larger);
+    }
+    size_ = n;
+  }
+  void swap(DeviceBuffer& b) noexcept {
+    std::swap(data_, b.data_);
+    std::swap(size_, b.size_);
+    std::swap(capacity_, b.capacity_);
+  }
+
+  [[nodiscard]] T* data() { return data_; }
+  [[nodiscard]] const T* data() const { return data_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+
+ private:
+  T* data_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace thalweg

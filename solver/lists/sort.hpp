@@ -1,0 +1,127 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+#include "solver/lists/cells.hpp"
+#include "solver/lists/hilbert.hpp"
+
+// The order of the particles: along a Hilbert curve, fluid before walls, and those that leave the arrays last.
+namespace thalweg {
+
+namespace neighbours {
+
+inline constexpr std::uint64_t wall_section = std::uint64_t{1} << 62;
+inline constexpr std::uint64_t gone_section = std::uint64_t{1} << 63;
+/// A list cell is ordered inside by eighths, so that four in a row lie close together.
+inline constexpr int fine_bits = 3;
+
+/// Tells which particles leave the arrays: they have no volume. A moving wall without volume stays: it has left the
+/// domain and may come back (models/moving_walls).
+struct Gone {
+  const Record* records;
+  const std::uint8_t* type;
+
+  HOST_DEVICE bool operator()(Index i) const {
+    return records[i].volume == 0 && type[i] != static_cast<std::uint8_t>(moving_wall_type);
+  }
+  static constexpr std::uint8_t moving_wall_type = 1;  // ParticleType::moving_wall
+};
+
+/// Counts of the particles that stay, and of the fluid among them.
+struct Census {
+  Index kept = 0;
+  Index fluid = 0;
+};
+
+template <class Device>
+Census take_census(Device& on, const Particles<Device>& p) {
+  const Record* records = p.record.data();
+  const Gone gone{records, p.type.data()};
+  return on.reduce(p.count, Census{},
+                   declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
+                     if (gone(i)) return Census{};
+                     return Census{1, is_wall(records[i]) ? Index{0} : Index{1}};
+                   }),
+                   [] HOST_DEVICE(Census a, const Census& b) {
+                     return Census{a.kept + b.kept, a.fluid + b.fluid};
+                   });
+}
+
+/// The new order of the particles.
+template <int Dim, class Device>
+typename Device::template Buffer<Index> hilbert_order(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+  typename Device::template Buffer<std::uint64_t> key;
+  typename Device::template Buffer<Index> order;
+  key.resize(p.count);
+  order.resize(p.count);
+  const Record* records = p.record.data();
+  std::uint64_t* keys = key.data();
+  Index* o = order.data();
+  const Lattice<Dim> lattice = scene.lattice;
+  const Gone gone{records, p.type.data()};
+  std::uint32_t most_cells = 1;
+  for (int k = 0; k < Dim; ++k) most_cells = std::max(most_cells, static_cast<std::uint32_t>(lattice.cells[k]));
+  const int bits = static_cast<int>(std::bit_width(most_cells - 1)) + fine_bits;
+  on.for_each(p.count, declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
+                const Record& r = records[i];
+                std::uint64_t k = hilbert_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits), bits);
+                if (is_wall(r)) k |= wall_section;
+                if (gone(i)) k |= gone_section;
+                keys[i] = k;
+                o[i] = i;
+              }));
+  on.sort_by_key(key, order);
+  return order;
+}
+
+/// The particles [from, p.count) as excluded ones, but for those that died on purpose (Role::dormant).
+template <class Device>
+std::vector<ExcludedParticle> excluded_behind(Device& on, const Particles<Device>& p, Index from) {
+  std::vector<ExcludedParticle> excluded;
+  const auto records = on.download(p.record, from, p.count);
+  const auto ids = on.download(p.id, from, p.count);
+  const auto types = on.download(p.type, from, p.count);
+  const auto positions = on.download(p.position, from, p.count);
+  const auto masses = on.download(p.mass, from, p.count);
+  const bool has_roles = p.roles() != nullptr;
+  const auto roles = on.download(p.role, has_roles ? from : 0, has_roles ? p.count : 0);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (has_roles && roles[i] == Role::dormant) continue;
+    const Record& r = records[i];
+    excluded.push_back({ids[i], types[i], positions[i], {r.velocity[0], r.velocity[1], r.velocity[2]}, masses[i]});
+  }
+  return excluded;
+}
+
+/// Sorts all arrays that follow their particles and cuts off those that leave. Returns the excluded ones.
+template <int Dim, class Device>
+std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+  const Census census = take_census(on, p);
+  const auto order = hilbert_order(on, p, scene);
+  const auto reorder = [&](auto& buffer) {
+    std::remove_reference_t<decltype(buffer)> spare;
+    on.reorder(buffer, order, spare);
+  };
+  reorder(p.record);
+  EachArray sort(sorted, [&](const Field&, auto& buffer, const auto&) { reorder(buffer); });
+  p.describe(scene, sort);
+
+  const Index end = census.kept;
+  std::vector<ExcludedParticle> excluded;
+  if (end < p.count) {
+    excluded = excluded_behind(on, p, end);
+    p.record.resize(end + 1);
+    on.write(Record{}, p.record.data() + end);
+    EachArray truncate(sorted, [&](const Field&, auto& buffer, const auto&) { buffer.resize(end); });
+    p.describe(scene, truncate);
+  }
+  p.count = end;
+  p.fluid_count = census.fluid;
+  return excluded;
+}
+
+}  // namespace neighbours
+
+}  // namespace thalweg

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/state/scene.hpp"
+
+namespace thalweg {
+
+/// A lattice of vertical columns one spacing apart.
+template <int Dim>
+struct ColumnLattice {
+  Vec<Dim, double> from{};     // [m]
+  double inverse_spacing = 0;  // [1/m]
+  Vec<Dim, int> nodes{};
+  bool periodic[Dim] = {};
+  double quanta_per_volume = 0;
+
+  explicit ColumnLattice(const Scene<Dim>& scene) {
+    inverse_spacing = 1 / scene.spacing;
+    for (int k = 0; k < Dim; ++k) {
+      // Nodes where the particles started, so that a column at a wall is covered whole or not at all.
+      const double to_node = scene.lattice_node[k] - scene.domain_from[k];
+      from[k] = scene.lattice_node[k] - std::ceil(to_node * inverse_spacing) * scene.spacing;
+      nodes[k] = static_cast<int>(std::ceil((scene.domain_to[k] - from[k]) * inverse_spacing)) + 2;
+      periodic[k] = scene.lattice.periodic[k];
+      if (periodic[k])
+        nodes[k] = std::max(1, static_cast<int>(std::lround((scene.domain_to[k] - from[k]) * inverse_spacing)));
+    }
+    quanta_per_volume = 4294967296.0 * std::pow(inverse_spacing, Dim);
+  }
+
+  [[nodiscard]] HOST_DEVICE int columns() const {
+    int n = 1;
+    for (int k = 0; k + 1 < Dim; ++k) n *= nodes[k];
+    return n;
+  }
+  [[nodiscard]] HOST_DEVICE int levels() const { return nodes[Dim - 1]; }
+
+  /// Node below a coordinate, and how far towards the next one it lies [0, 1).
+  HOST_DEVICE int below(int k, double x, float& fraction) const {
+    const double at = (x - from[k]) * inverse_spacing;
+    const double node = floor(at);
+    fraction = static_cast<float>(at - node);
+    return static_cast<int>(node);
+  }
+  /// Index of a column direction's node inside the lattice: around a period, or -1 beyond an end.
+  HOST_DEVICE int inside(int k, int node) const {
+    if (periodic[k]) return (node % nodes[k] + nodes[k]) % nodes[k];
+    return node >= 0 && node < nodes[k] ? node : -1;
+  }
+};
+
+}  // namespace thalweg

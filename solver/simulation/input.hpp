@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/models/all.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace thalweg {
+
+using AnyScene = std::variant<Scene<2>, Scene<3>>;
+
+/// What a core module (one per device and instruction set) is made from.
+struct SimulationInput {
+  AnyScene scene;
+  const ParticleSet* particles = nullptr;  // from gencase, or full_state() of an earlier run
+  int threads = 0;                         // 0: as many as the machine has cores
+  bool profile = false;                    // wait for the device after every heading of the timing
+  std::vector<WallMotion> motions = {};    // of the case (models/moving_walls/make_motions.hpp)
+  bool double_pair_sums = false;           // numerics.precision
+};
+
+/// Makes a simulation on the device `backend` names, "cuda" or "openmp", or with "auto" on the first GPU if there is
+/// one that can be used; on CPU cores with the widest instruction set this processor has, or the one named ("avx512",
+/// "avx2", "baseline"). Pair sums in double are computed on CPU cores only. Throws InputError for a device that is not
+/// there, that does not have the precision, or that is too small for the scene.
+std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const std::string& backend,
+                                            const std::string& instruction_set);
+
+}  // namespace thalweg

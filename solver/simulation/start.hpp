@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "case/case.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace thalweg {
+
+/// Where and how a simulation runs.
+struct StartOptions {
+  std::string backend = "auto";          // "cuda", "openmp" or "auto" (simulation/input.hpp)
+  std::string instruction_set = "auto";  // "avx512", "avx2", "baseline" or "auto"
+  int threads = 0;                       // 0: as many as the machine has cores
+  bool profile = false;                  // wait for the device after every heading of the timing
+};
+
+/// Starts a case from the particles of gencase, or goes on from those of a checkpoint. Throws InputError for what the
+/// solver cannot run (make_scene.hpp) and for a device that cannot be used (input.hpp).
+std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles, const StartOptions& options);
+
+/// Largest speed of the walls among `particles` until the end of the case [m/s]; of an oscillation its peak's.
+double largest_wall_speed(const Case& of, const ParticleSet& particles);
+
+}  // namespace thalweg

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/state/step_state.hpp"
+
+// What the host learns of a step and of a simulation: plain numbers, no particles.
+namespace thalweg {
+
+/// A position in double; the place in the record follows it.
+struct Position {
+  double x[3];  // [m]
+};
+
+/// A particle taken out of the run because it left the domain.
+struct ExcludedParticle {
+  std::int64_t id;
+  std::uint8_t type;
+  Position position;
+  float velocity[3];  // [m/s]
+  float mass;         // [kg]
+};
+
+/// Outcome of the viscous part of a step.
+struct ViscousResult {
+  int iterations = 0;
+  double residual = 0;  // over the momentum one step of gravity gives [-]
+  bool converged = true;
+  int retries = 0;          // solves that had to be made again
+  std::int64_t capped = 0;  // particles whose viscosity was cut
+};
+
+/// What one step did, for the run loop.
+struct StepReport {
+  double dt = 0;  // [s]
+  Limiter limiter = Limiter::sound;
+  double largest_speed = 0;  // [m/s] before the step
+  ViscousResult viscous;
+  int pressure_sweeps = 0;       // of the effective pressure from Laplace's equation
+  bool pressure_settled = true;  // false: the most sweeps allowed were not enough
+  bool diverged = false;
+  std::vector<ExcludedParticle> excluded;
+};
+
+/// Mass that crossed the edge of the simulation since its start [kg]; per metre of width in 2-D.
+struct MassLedger {
+  double in = 0;    // of particles born
+  double out = 0;   // of particles that died where they were meant to
+  double lost = 0;  // of particles excluded: they left the domain where nothing was meant to
+};
+
+/// Sums over the fluid; 2-D: per metre of width.
+struct Totals {
+  double kinetic_energy = 0;       // [J]
+  double potential_energy = 0;     // [J] from z = 0, along gravity
+  double internal_energy = 0;      // [J] of compression; not of sediment at rest, whose pressure does no work on it
+  double water_mass = 0;           // [kg]
+  double sediment_mass = 0;        // [kg]
+  double momentum[3] = {0, 0, 0};  // [kg m/s]
+  // Sediment particles: all, at rest, and in the states they may have.
+  std::int64_t sediment = 0;
+  std::int64_t resting = 0;
+  std::int64_t bed_load = 0;
+  std::int64_t suspended = 0;
+
+  HOST_DEVICE Totals& operator+=(const Totals& b) {
+    kinetic_energy += b.kinetic_energy;
+    potential_energy += b.potential_energy;
+    internal_energy += b.internal_energy;
+    water_mass += b.water_mass;
+    sediment_mass += b.sediment_mass;
+    for (int c = 0; c < 3; ++c) momentum[c] += b.momentum[c];
+    sediment += b.sediment;
+    resting += b.resting;
+    bed_load += b.bed_load;
+    suspended += b.suspended;
+    return *this;
+  }
+};
+
+}  // namespace thalweg
