@@ -1,5 +1,5 @@
 // Micro-benchmarks of the solver's passes and sweeps; compiled once per instruction set, as the cores are.
-// bench/micro.py runs them and makes the table.
+// bench/micro/micro.py runs them and writes the table.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -1,18 +1,9 @@
 """The first difference between two tables or two particle files of runs that should be equal bit for bit."""
 
-import csv
-
 from study.particle_file import numbers, stored_arrays
+from study.tables import text_rows
 
 COUNTED_ANEW = {"viscous_retries"}  # columns that count from the last restart
-
-
-def rows_of(file):
-    """Rows of a table as texts; none if the file is absent."""
-    if not file.exists():
-        return []
-    with file.open(encoding="utf-8") as lines:
-        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
 
 def common_rows(name, left, right):
@@ -27,7 +18,7 @@ def first_table_difference(name, a, b, one_sided, restarted=False):
 
     `one_sided` receives the columns that only one has; `restarted`: one of the two runs was stopped on its way. None if equal.
     """
-    left, right = rows_of(a / name), rows_of(b / name)
+    left, right = (text_rows(folder / name) if (folder / name).exists() else [] for folder in (a, b))
     if not left and not right:
         return None
     if not left or not right:

@@ -3,19 +3,12 @@
 import json
 import re
 import shutil
-import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+from study.costs import overrides
+from study.programs import call
 from study.tables import read_table
-
-
-def call(thalweg, *arguments):
-    """What `thalweg` prints; an error with all it said if it fails."""
-    result = subprocess.run([thalweg, *arguments], capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        raise RuntimeError(f"thalweg {' '.join(map(str, arguments))}\n{result.stdout}{result.stderr}")
-    return result.stdout
 
 
 class Run:
@@ -38,8 +31,7 @@ class Run:
         checkpoint = self.folder / "checkpoint.vtp"
         if not (same and checkpoint.exists()):
             shutil.rmtree(self.folder, ignore_errors=True)
-            overrides = [text for setting in self.settings for text in ("--set", setting)]
-            call(self.thalweg, "gencase", self.case, "--out", self.folder, *overrides)
+            call(self.thalweg, "gencase", self.case, "--out", self.folder, *overrides(self.settings))
             if start:
                 start(self.folder)
             begun.write_text(json.dumps(self.settings), encoding="utf-8")
