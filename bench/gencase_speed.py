@@ -42,25 +42,28 @@ end = "1 s"
 """
 
 
+def facet_count(rings):
+    return 2 * rings * (2 * rings - 2)
+
+
 def write_sphere(path, rings):
-    """A sphere of 2 rings (2 rings - 2) facets in binary STL."""
+    """Writes a unit sphere as binary STL, facet by facet, and returns their number.
+
+    Little memory is used, because the peak of a program that this script starts is never less than the script's own.
+    """
     def point(ring, side):
         if ring in (0, rings):  # the poles are one point each, whatever the angle
             return (0.0, 0.0, 1.0 if ring == 0 else -1.0)
         polar, around = math.pi * ring / rings, math.pi * (side % (2 * rings)) / rings
         return (math.sin(polar) * math.cos(around), math.sin(polar) * math.sin(around), math.cos(polar))
-    facets = []
-    for ring in range(rings):
-        for side in range(2 * rings):
-            a, b, c, d = point(ring, side), point(ring, side + 1), point(ring + 1, side + 1), point(ring + 1, side)
-            if ring > 0:
-                facets.append((*a, *c, *b))
-            if ring < rings - 1:
-                facets.append((*a, *d, *c))
-    data = b"sphere".ljust(80) + struct.pack("<I", len(facets))
-    data += b"".join(struct.pack("<12fH", 0, 0, 0, *facet, 0) for facet in facets)
-    path.write_bytes(data)
-    return len(facets)
+    with path.open("wb") as file:
+        file.write(b"sphere".ljust(80) + struct.pack("<I", facet_count(rings)))
+        for ring in range(rings):
+            for side in range(2 * rings):
+                a, b, c, d = point(ring, side), point(ring, side + 1), point(ring + 1, side + 1), point(ring + 1, side)
+                for corners in ([(a, c, b)] if ring > 0 else []) + ([(a, d, c)] if ring < rings - 1 else []):
+                    file.write(struct.pack("<12fH", 0, 0, 0, *corners[0], *corners[1], *corners[2], 0))
+    return facet_count(rings)
 
 
 def run(thalweg, *arguments):

@@ -11,7 +11,7 @@ class Used:
     """The resources that a process used, from its start to its end."""
     text: str     # its output and error output
     cpu: float    # [s] of all threads, system time included
-    peak: int     # [bytes] largest resident memory
+    peak: int     # [bytes] largest resident memory; the kernel reports no less than that of the script which starts the program
 
 
 def call(*command):
