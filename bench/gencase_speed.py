@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Measures how fast gencase fills: bench/gencase_speed.py THALWEG
 
-Writes a table of medians to bench/records/gencase-speed.md: lattice points a second while filling (with reading of meshes, pre-flight checks, walls,
-normals and closure test, without writing), CPU seconds of all threads for that, seconds of the whole run with its files, and the memory
-a particle: the slope of the peak between a coarse and a fine filling.
+Writes a table of medians to bench/records/gencase-speed.md: lattice points a second while filling (with reading of meshes,
+pre-flight checks, walls, normals and closure test, without writing), CPU seconds of all threads for that, seconds of the whole
+run with its files, and the memory a particle: the slope of the peak between a coarse and a fine filling.
 """
 
 import argparse
@@ -108,8 +108,9 @@ def main():
                 for name, case, coarse, fine in (("louvain3d, boxes", CASES / "louvain3d", 4, 2),
                                                  (f"ball of {facets} facets", work, 20, 12),
                                                  ("pier, mesh among walls", CASES / "pier", 8, 4))]
-    record.table(f"Medians of {given.repeats} runs", ["scene", "lattice points", "particles", "filling, s", "million points a second",
-                                                      "CPU s", "whole run, s", "bytes a particle"], rows)
+    record.table(f"Medians of {given.repeats} runs",
+                 ["scene", "lattice points", "particles", "filling, s", "million points a second", "CPU s", "whole run, s",
+                  "bytes a particle"], rows)
     record.write(given.records)
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Flux of pore water through the bed of a run with model.seepage = "mixture": seepage_flux.py RUN [X ...]
 
-Per snapshot and section x [m]: volume flux of the pore water relative to the grains, sum over the bed's water of
-V (u - mean u of the grains), over the width of the section's window [m^2/s]; bed: porosity below 0.6. The integrals over time [m^2] stand
-in the comment. The table goes to bench/records/seepage-flux.csv.
+Per snapshot and section x [m]: volume flux of the pore water relative to the grains, sum over the bed's water of V (u - mean u
+of the grains), over the width of the section's window [m^2/s]; bed: porosity below 0.6. The integrals over time [m^2] stand in
+the comment. The table goes to bench/records/seepage-flux.csv.
 """
 
 import argparse
@@ -41,7 +41,8 @@ def flux(particles, x):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", type=pathlib.Path, help="folder of a finished run")
-    parser.add_argument("x", type=float, nargs="*", default=[-0.3, -0.1, 0.0, 0.1, 0.3], help="[m] sections (default: those of Louvain)")
+    parser.add_argument("x", type=float, nargs="*", default=[-0.3, -0.1, 0.0, 0.1, 0.3],
+                        help="[m] sections (default: those of Louvain)")
     parser.add_argument("--records", type=pathlib.Path, default=RECORDS, help="where the table goes (default: bench/records)")
     given = parser.parse_args()
     run, sections = given.run, given.x

@@ -152,7 +152,8 @@ def main():
     effect_rows, convergence_rows = effects(study), convergence(study)
     equal = f"{members} runs whose water density differs by up to two ten-thousandths"
     made = origin.lines("effect_study/effect_study.py")
-    tables = {"effects": (effect_rows, f"{study.case.name} at {study.spacing}; distances: root mean square from the run with nothing changed"),
+    tables = {"effects": (effect_rows, f"{study.case.name} at {study.spacing}; distances: root mean square from the run with nothing "
+                                       "changed"),
               "effects-convergence": (convergence_rows, "distances: root mean square from the finest run"),
               "effects-repeatability": (repeatability(rms, extents), f"{equal}, all pairs")}
     for folder in filter(None, (study.out, given.record)):

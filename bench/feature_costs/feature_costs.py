@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What each feature costs where it is used, and that it costs nothing where it is not: feature_costs.py THALWEG
+"""Measures the cost of each feature, and shows that a scene without the feature does not pay for it: feature_costs.py THALWEG
 
-Every row is two runs in turn from the same particles, or from scenes of equally many: one without the feature, one with
-it. What a step without it does not even call stands in the last column.
+Each row compares two runs that alternate, one without the feature and one with it. Both start from the same particles, or from
+scenes with equally many. The second table lists the lines of the step that only the run with the feature calls.
 """
 
 import argparse
@@ -29,7 +29,7 @@ at = ["{x} m", "0.08 m"]
 
 @dataclass
 class Start:
-    """From what, and how, the solver takes its steps."""
+    """The state and the settings from which the solver takes its steps."""
     run: pathlib.Path
     state: pathlib.Path = None  # a checkpoint; without: the filled scene
     changes: list = field(default_factory=list)
@@ -44,7 +44,7 @@ class Start:
 
 
 class Scenes:
-    """Scenes that rows share, filled and run up to where they start when first asked for."""
+    """Scenes that several rows share. A scene is filled, and run up to its start, when it is first needed."""
 
     def __init__(self, given):
         self.given, self.known = given, {}
@@ -83,7 +83,7 @@ def narrow(width, particles):
 
 
 def comparisons(scenes):
-    """Name, the scene's words, without, with, and for how long."""
+    """Rows of the comparison: feature, scene, start without it, start with it, and the options that say how long to run."""
     given = scenes.given
     steps = ["--benchmark", given.steps]
     short = ["--until", f"{given.seconds} s"]
@@ -137,7 +137,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=0.05, help="[s] of a run with gauges or snapshots")
     parser.add_argument("--start", type=float, default=0.15, help="[s] of collapse before the rows that say so")
     parser.add_argument("--settle", type=float, default=0.5, help="[s] in which the bed comes to rest")
-    parser.add_argument("--only", help="rows whose names hold this text")
+    parser.add_argument("--only", help="only rows whose name contains this text")
     given = parser.parse_args()
 
     record = Record("feature-costs", "What features cost", command_line("feature_costs/feature_costs.py"))

@@ -3,9 +3,9 @@
 
     bench/micro/instructions.py CORE.so [OTHER.so]
 
-CORE.so is for example build/release/bin/thalweg_core_openmp_avx512.so. An inner loop computes 16 pairs at a time with AVX-512, 8 with
-AVX2 and 4 with the baseline (single precision). "Function" is the code of a whole cluster around it. With two modules, sweeps that
-have the same number of instructions in both are counted but not listed. Exit status: 0, or 1 if the two differ.
+CORE.so is for example build/release/bin/thalweg_core_openmp_avx512.so. An inner loop computes 16 pairs at a time with AVX-512,
+8 with AVX2 and 4 with the baseline (single precision). "Function" is the code of a whole cluster around it. With two modules,
+sweeps that have the same number of instructions in both are counted but not listed. Exit status: 0, or 1 if the two differ.
 """
 
 import argparse
@@ -49,7 +49,8 @@ def main():
     names = sorted(name for name in a.keys() | b.keys() if not given.other or a.get(name) != b.get(name))
     kinds = next(iter(a.values()))
     if names:
-        print("\n".join(markdown(["sweep", *kinds], ([name, *(cell(a.get(name), b.get(name), kind) for kind in kinds)] for name in names))))
+        rows = ([name, *(cell(a.get(name), b.get(name), kind) for kind in kinds)] for name in names)
+        print("\n".join(markdown(["sweep", *kinds], rows)))
     if given.other:
         print(f"\n{len(a.keys() | b.keys()) - len(names)} sweeps equal, {len(names)} differ")
     return 1 if given.other and names else 0

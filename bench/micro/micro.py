@@ -28,7 +28,7 @@ from study.tables import markdown  # noqa: E402
 
 LANES = {"avx512": 16, "avx2": 8, "baseline": 4}
 NEEDS = {"avx512": {"avx512f", "avx512dq", "avx512vl", "avx512bw"}, "avx2": {"avx2", "fma"}, "baseline": set()}
-# What Google Benchmark says of a run beside its results.
+# Keys that Google Benchmark adds to the results of a run.
 BOOKKEEPING = {"family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "repetition_index", "threads",
                "real_time", "time_unit"}
 SWEEPS = {
@@ -45,7 +45,7 @@ SWEEPS = {
 
 
 def run(program, repetitions, seconds, chosen):
-    """What Google Benchmark reports: {name: the repetition with the least CPU time}."""
+    """Runs a benchmark program; {name: the repetition with the least CPU time}."""
     text = subprocess.run([program, "--benchmark_format=json", f"--benchmark_repetitions={repetitions}",
                            f"--benchmark_min_time={seconds}", f"--benchmark_filter={chosen}"],
                           check=True, capture_output=True, text=True).stdout
@@ -210,7 +210,8 @@ def main():
     parser.add_argument("--filter", default=".", help="only benchmarks with such names (a regular expression)")
     arguments = parser.parse_args()
 
-    facts = {"date": datetime.date.today().isoformat(), "commit": origin.commit(), "machine": origin.machine(), "load": origin.load()}
+    facts = {"date": datetime.date.today().isoformat(), "commit": origin.commit(), "machine": origin.machine(),
+             "load": origin.load()}
     has = set(origin.processor("flags").split())
     results = {}
     for isa, needs in NEEDS.items():

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How fast one core is beside DualSPHysics 5.4 on the same 3-D dam break: peer_ratio.py THALWEG --dualsphysics FOLDER
+"""Compares one core with DualSPHysics 5.4 on the same 3-D dam break: peer_ratio.py THALWEG --dualsphysics FOLDER
 
-Both start from the same particles in the middle of the collapse, which ours computes first; same kernel (Wendland C2), same
-smoothing length, same speed of sound, artificial viscosity and density diffusion, one thread. Counted are evaluations of
-the forces on a fluid particle a second of processor time: a leapfrog step has one, a two-pass step and their symplectic one
-two. What both need before their first step (reading, first lists) is left out: theirs as the cost of a run of one step,
-ours as it says itself.
+Both programs start from the same particles in the middle of the collapse, which ours computes first. They use the same kernel
+(Wendland C2), smoothing length, speed of sound, artificial viscosity and density diffusion, and one thread. The measure is the
+number of evaluations of the forces on a fluid particle per second of processor time: a leapfrog step has one evaluation, a
+two-pass step and their symplectic step have two. The time before the first step (reading, first lists) is left out: for theirs
+it is measured as a run of one step, ours reports it.
 
 FOLDER holds the sources of DualSPHysics 5.4, which are compiled with -O3 -march=native -ffast-math; without it only the
 second table is made: ours alone on the two-phase scene of cases/louvain.
@@ -147,7 +147,7 @@ def compare(given, record):
 
 
 def two_phase(given, record):
-    """Ours alone on the plane two-phase scene, whole."""
+    """Runs the whole plane two-phase scene with our program alone."""
     run = fill(given.thalweg, ROOT / "cases" / "louvain", given.out / "louvain",
                ["numerics.spacing=4 mm"])
     until = ["--until", f"{given.two_phase} s"]

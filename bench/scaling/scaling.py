@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How the cost of a particle-step goes with the number of particles, and what a second thread gives: scaling.py THALWEG
+"""Measures the cost of a particle-step over the number of particles, and the gain from a second thread: scaling.py THALWEG
 
-Water over a bed, or water alone, between periodic sides: the domain widens while depth and spacing stay, so that scenes
-differ in nothing but their number of particles; the bed may not come to rest, as small scenes run for more steps. The
-cost of a step is the difference of two runs of different length, so that reading, first lists and the first touch of
-memory drop out; building lists is measured by a skin of zero, with which every step builds them. `--part` makes one
-part of the table at a time, for machines where all take too long.
+The scenes are water over a bed, or water alone, between periodic sides. The domain widens while depth and spacing stay, so that
+scenes differ only in their number of particles. The bed may not come to rest, because small scenes run for more steps. The cost
+of a step is the difference of two runs of different length: reading, the first lists and the first touch of memory drop out.
+The cost of building lists is measured with a skin of zero, with which every step builds them. `--part` makes one part of the
+table at a time, for machines where all take too long.
 """
 
 import argparse
@@ -93,7 +93,7 @@ def scene(dimension, particles, with_bed):
 
 @dataclass
 class Steps:
-    """What the steps cost that the longer of two runs takes more, of one scene: [ns] a fluid particle."""
+    """The cost of the steps that the longer of two runs takes beyond the shorter one: [ns] per fluid particle."""
     last: Cost  # the longer run
     cpu: float          # processor time a step
     wall: float         # by the clock a step
@@ -181,7 +181,7 @@ def counted(given, run, steps):
 
 
 def traffic(given, record):
-    """What a step reads and writes, where no counters of the processor can be had."""
+    """Counts what a step reads and writes, by valgrind: the processor's own counters are often not accessible."""
     if shutil.which("valgrind") is None:
         record.note("Memory traffic is not counted: valgrind is not installed.")
         return

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Error against seconds: what each choice of the numerics costs, and how far its results lie from a known answer.
+"""Measures error against seconds: the cost of each choice of the numerics, and the distance of its results from a known answer.
 
 Runs the table matrix.toml: each problem at several spacings, with one key of the numerics changed at a time, and with every
 combination of a few. Whatever is there already is kept, so that a matrix that was stopped goes on where it was; runs that failed
@@ -34,14 +34,14 @@ SHOWN = ("numerics.smoothing_ratio", "numerics.cfl", "numerics.sound_speed_facto
 
 
 def value_of(case, key):
-    """Of a key like "numerics.cfl" in a resolved case; None if the program that wrote it does not know the key."""
+    """The value of a key like "numerics.cfl" in a resolved case; None if the program that wrote it does not know the key."""
     for name in key.split("."):
         case = case.get(name, {})
     return None if case == {} else case
 
 
 def written(value):
-    """As --set takes it."""
+    """A value in the form that --set takes."""
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
@@ -160,12 +160,12 @@ class Matrix:
         runs.compute_all(self.points, jobs, lambda point: point.compute(again))
 
     def left_out(self):
-        """What the table names and no row shows: keys that the program does not know, points that were not run yet."""
+        """Entries of the table without a row: keys that the program does not know, points that were not run yet."""
         return [f"{key} (unknown to the program)" for key in sorted(self.unknown)] + [
             point.run.name for point in self.points if not point.there()]
 
     def rows(self):
-        """What is there, as the lines of points.csv."""
+        """The finished points, as lines of points.csv."""
         rows = []
         for problem in self.problems:
             points = [point for point in self.points if point.problem is problem and point.there()]

@@ -1,4 +1,4 @@
-"""Where a measurement was made, and of what: the lines that stand above every record."""
+"""Origin of a measurement: machine, commit and command, the lines that stand above every record."""
 
 import os
 import pathlib

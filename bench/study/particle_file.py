@@ -1,4 +1,4 @@
-"""Particle files (docs/file-formats.md) without a library: read what the program writes, write what it reads."""
+"""Particle files (docs/file-formats.md) without a library: reads the program's files and writes files that it reads."""
 
 import base64
 import re
@@ -24,7 +24,7 @@ def decoded(text):
 
 
 def encoded(plain):
-    """What decoded() takes: one zlib block."""
+    """The text of a DataArray with these bytes, in one zlib block; decoded() reads it."""
     packed = zlib.compress(plain)
     header = struct.pack("<4Q", 1, len(plain), len(plain), len(packed))
     return (base64.b64encode(header) + base64.b64encode(packed)).decode()

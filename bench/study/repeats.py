@@ -35,7 +35,7 @@ class Spread:
 
 
 def ratios(numerators, denominators):
-    """Of runs that alternated, pair by pair."""
+    """Ratios of runs that alternated, pair by pair."""
     return Spread.of(a / b for a, b in zip(numerators, denominators))
 
 

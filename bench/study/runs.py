@@ -47,7 +47,7 @@ class Run:
         return next(row["value"] for row in read_table(self.folder / "summary.csv") if row["quantity"] == quantity)
 
     def cpu_seconds(self):
-        """Of the whole run, also if it was continued: the seconds of its last part, by steps."""
+        """Processor time of the whole run [s]; of a continued run the time of its last part, scaled by the number of steps."""
         return self.summary("cpu_seconds") * self.summary("steps") / self.summary("steps_since_restart")
 
     def profile_distances(self, others):
