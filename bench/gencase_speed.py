@@ -1,23 +1,27 @@
 #!/usr/bin/env python3
-"""Measures how fast gencase fills: bench/gencase_speed.py PROGRAM [REPEATS]
+"""Measures how fast gencase fills: bench/gencase_speed.py THALWEG
 
-PROGRAM is thalweg-gencase. Prints a table of medians: lattice points a second while filling (reading of meshes, pre-flight,
-walls, normals and closure test included, writing not), CPU seconds of all threads for that, seconds of the whole run with
-its files, and the memory a particle: the slope of the peak between a coarse and a fine filling.
+Writes a table of medians to bench/records/gencase-speed.md: lattice points a second while filling (with reading of meshes,
+pre-flight checks, walls, normals and closure test, without writing), CPU seconds of all threads for that, seconds of the whole
+run with its files, and the memory a particle: the slope of the peak between a coarse and a fine filling.
 """
 
+import argparse
 import collections
 import math
 import pathlib
 import re
 import statistics
 import struct
-import subprocess
-import sys
 import tempfile
 import time
 
-CASES = pathlib.Path(__file__).resolve().parent.parent / "cases"
+from study.costs import overrides
+from study.origin import ROOT, command_line
+from study.programs import call
+from study.record import Record, common_arguments
+
+CASES = ROOT / "cases"
 Run = collections.namedtuple("Run", "points filling seconds particles peak cpu")
 SCENE = """
 [case]
@@ -38,72 +42,76 @@ end = "1 s"
 """
 
 
+def facet_count(rings):
+    return 2 * rings * (2 * rings - 2)
+
+
 def write_sphere(path, rings):
-    """A sphere of 2 rings (2 rings - 2) facets in binary STL."""
-    def place(ring, side):
+    """Writes a unit sphere as binary STL, facet by facet, and returns their number.
+
+    Little memory is used, because the peak of a program that this script starts is never less than the script's own.
+    """
+    def point(ring, side):
         if ring in (0, rings):  # the poles are one point each, whatever the angle
             return (0.0, 0.0, 1.0 if ring == 0 else -1.0)
         polar, around = math.pi * ring / rings, math.pi * (side % (2 * rings)) / rings
         return (math.sin(polar) * math.cos(around), math.sin(polar) * math.sin(around), math.cos(polar))
-    facets = []
-    for ring in range(rings):
-        for side in range(2 * rings):
-            a, b, c, d = place(ring, side), place(ring, side + 1), place(ring + 1, side + 1), place(ring + 1, side)
-            if ring > 0:
-                facets.append((*a, *c, *b))
-            if ring < rings - 1:
-                facets.append((*a, *d, *c))
-    data = b"sphere".ljust(80) + struct.pack("<I", len(facets))
-    data += b"".join(struct.pack("<12fH", 0, 0, 0, *facet, 0) for facet in facets)
-    path.write_bytes(data)
-    return len(facets)
+    with path.open("wb") as file:
+        file.write(b"sphere".ljust(80) + struct.pack("<I", facet_count(rings)))
+        for ring in range(rings):
+            for side in range(2 * rings):
+                a, b, c, d = point(ring, side), point(ring, side + 1), point(ring + 1, side + 1), point(ring + 1, side)
+                for corners in ([(a, c, b)] if ring > 0 else []) + ([(a, d, c)] if ring < rings - 1 else []):
+                    file.write(struct.pack("<12fH", 0, 0, 0, *corners[0], *corners[1], *corners[2], 0))
+    return facet_count(rings)
 
 
-def run(program, *arguments):
-    """One run, timed by a process of its own, so that its figures are those of the program alone."""
+def run(thalweg, *arguments):
+    """One filling."""
     begin = time.monotonic()
-    timed = ["/usr/bin/env", "python3", "-c",
-             "import resource, subprocess, sys; s = subprocess.run(sys.argv[1:]).returncode; "
-             "u = resource.getrusage(resource.RUSAGE_CHILDREN); "
-             "print('used', u.ru_maxrss, u.ru_utime + u.ru_stime); sys.exit(s)"]
-    text = subprocess.run([*timed, program, *arguments], check=True, capture_output=True, text=True).stdout
+    used = call(thalweg, "gencase", *arguments)
     seconds = time.monotonic() - begin
-    points, filling = re.search(r"(\d+) lattice points in ([\d.]+) s", text).groups()
-    particles = int(re.search(r"(\d+) particles; the solver", text).group(1))
-    peak, cpu = re.search(r"used (\d+) ([\d.]+)", text).groups()
-    return Run(int(points), float(filling), seconds, particles, 1024 * int(peak), float(cpu))
+    points, filling = re.search(r"(\d+) lattice points in ([\d.]+) s", used.text).groups()
+    particles = int(re.search(r"(\d+) particles; the solver", used.text).group(1))
+    return Run(int(points), float(filling), seconds, particles, used.peak, used.cpu)
 
 
-def measure(name, program, repeats, coarse, fine):
+def measured(given, name, case, work, coarse, fine):
     """A row of the table."""
-    checks = [run(program, *fine, "--check") for _ in range(repeats)]
-    runs = [run(program, *fine) for _ in range(repeats)]
-    small = run(program, *coarse)
+    def at(spacing, *options):
+        return run(given.thalweg, case, "--out", work / "out", *overrides([f"numerics.spacing={spacing}"]), *options)
+
+    checks = [at(fine, "--check") for _ in range(given.repeats)]
+    runs = [at(fine) for _ in range(given.repeats)]
+    small = at(coarse)
     filling = statistics.median(r.filling for r in checks)
-    cpu = statistics.median(r.cpu for r in checks)
-    whole = statistics.median(r.seconds for r in runs)
     slope = (runs[0].peak - small.peak) / (runs[0].particles - small.particles)
-    print(f"| {name} | {runs[0].points} | {runs[0].particles} | {filling:.2f} | {runs[0].points / filling / 1e6:.1f} "
-          f"| {cpu:.2f} | {whole:.1f} | {slope:.0f} |", flush=True)
+    return [name, runs[0].points, runs[0].particles, filling, runs[0].points / filling / 1e6,
+            statistics.median(r.cpu for r in checks), statistics.median(r.seconds for r in runs), f"{slope:.0f}"]
 
 
 def main():
-    program = str(pathlib.Path(sys.argv[1]).resolve())
-    repeats = int(sys.argv[2]) if len(sys.argv) > 2 else 3
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    common_arguments(parser, 3)
+    parser.add_argument("--coarser", type=float, default=1, help="factor on all spacings, for a trial (default: %(default)g)")
+    given = parser.parse_args()
+
+    def length(millimetres):
+        return f"{given.coarser * millimetres:g} mm"
+
+    record = Record("gencase-speed", "How fast gencase fills", command_line("gencase_speed.py"))
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         facets = write_sphere(work / "ball.stl", 159)
-        print("| scene | lattice points | particles | filling, s | million points a second | CPU s | whole run, s "
-              "| bytes a particle |\n|---|---|---|---|---|---|---|---|", flush=True)
-        at = lambda spacing: ["--set", f"numerics.spacing={spacing}"]
-        out = ["--out", str(work / "out")]
-        flume = str(CASES / "louvain3d")
-        measure("louvain3d at 2 mm, boxes", program, repeats, [flume, *out, *at("4 mm")], [flume, *out, *at("2 mm")])
-        (work / "case.toml").write_text(SCENE.format(spacing="1 cm"))
-        ball = str(work)
-        measure(f"ball of {facets} facets", program, repeats, [ball, *out, *at("20 mm")], [ball, *out, *at("12 mm")])
-        pier = str(CASES / "pier")
-        measure("pier at 4 mm, mesh among walls", program, repeats, [pier, *out, *at("8 mm")], [pier, *out, *at("4 mm")])
+        (work / "case.toml").write_text(SCENE.format(spacing="1 cm"), encoding="utf-8")
+        rows = [measured(given, name, case, work, length(coarse), length(fine))
+                for name, case, coarse, fine in (("louvain3d, boxes", CASES / "louvain3d", 4, 2),
+                                                 (f"ball of {facets} facets", work, 20, 12),
+                                                 ("pier, mesh among walls", CASES / "pier", 8, 4))]
+    record.table(f"Medians of {given.repeats} runs",
+                 ["scene", "lattice points", "particles", "filling, s", "million points a second", "CPU s", "whole run, s",
+                  "bytes a particle"], rows)
+    record.write(given.records)
 
 
 if __name__ == "__main__":

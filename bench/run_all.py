@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the measurements of this folder again, one after the other: run_all.py THALWEG [--only NAME ...]
 
-Each is a script of its own that can be run alone and says what it does with --help; all write to bench/results, and summary.py
+Each is a script of its own that can be run alone and says what it does with --help; all write to bench/records, and summary.py
 takes their figures into docs/performance.md. They want the machine to themselves for about an hour.
 """
 
@@ -32,8 +32,8 @@ MEASUREMENTS = {
     "plane": scaling("plane"),
     "threads": scaling("threads"),
     "traffic": scaling("traffic"),
-    "speed-vs-error": lambda given: ["speed_vs_error/speed_vs_error.py", given.thalweg, "--quick", "--record",
-                                     BENCH / "results"],
+    "speed-vs-error": lambda given: ["speed_vs_error/speed_vs_error.py", given.thalweg, "--quick", "--record"],
+    "gencase": lambda given: ["gencase_speed.py", given.thalweg],
 }
 
 

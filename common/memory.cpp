@@ -13,7 +13,7 @@
 namespace thalweg {
 
 MemoryEstimate estimate_memory(double particles, int dimension) {
-  // Measured: 475 bytes a particle in the plane, 990 in space (bench/results), more the smaller the share of walls.
+  // Measured: 475 bytes a particle in the plane, 990 in space (bench/records), more the smaller the share of walls.
   const double solver = dimension == 2 ? 500 : 1100;
   // Counted: of 1055 bytes in space 674 are the pairs', and sorting needs another 110 while it lasts.
   const double gpu = dimension == 2 ? 400 : 500;

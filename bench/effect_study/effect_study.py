@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What each choice of the model changes, beside what equal runs differ by, and how far the spacing is converged.
+"""Measures the effect of each choice of the model, the scatter of equal runs, and the convergence in the spacing.
 
 Runs the table study.toml: the case as it is, from slightly different starts, with one choice changed at a time, and at
 finer and finer spacing. Whatever is there already is kept, so that a study that was stopped goes on where it was. Then
-writes effects.csv, convergence.csv, repeatability.csv and effects.svg to OUT and, with --page, a page of documentation
-with the picture beside it.
+writes effects.csv, effects-convergence.csv, effects-repeatability.csv and effects.svg to OUT and, with --page, a page of
+documentation with the picture beside it and, with --record, the tables to bench/records.
 
 All numbers are those of `thalweg postproc`: profiles, fronts, and root mean squares between runs.
 """
@@ -21,8 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
 from page import CURVES, Results, draw, page
-from study import runs
-from study.origin import commit
+from study import origin, runs
+from study.record import RECORDS
 from study.tables import read_table, write_table
 
 
@@ -134,6 +134,8 @@ def main():
     arguments.add_argument("--spacing", help="of all runs but those of [[spacing]]; default: the table's")
     arguments.add_argument("--finest", help="leaves out the runs of [[spacing]] beyond this one, for example \"5 mm\"")
     arguments.add_argument("--jobs", type=int, default=1, help="runs at a time, one thread each (default: %(default)s)")
+    arguments.add_argument("--record", nargs="?", type=pathlib.Path, const=RECORDS,
+                           help="also writes the tables there (without a folder: bench/records)")
     arguments.add_argument("--page", type=pathlib.Path, help="page to write, its picture in images/ beside it")
     given = arguments.parse_args()
 
@@ -149,10 +151,14 @@ def main():
     rms, extents, members = study.scatter()
     effect_rows, convergence_rows = effects(study), convergence(study)
     equal = f"{members} runs whose water density differs by up to two ten-thousandths"
-    write_table(study.out / "effects.csv", effect_rows,
-                f"{study.case.name} at {study.spacing}; distances: root mean square from the run with nothing changed")
-    write_table(study.out / "convergence.csv", convergence_rows, "distances: root mean square from the finest run")
-    write_table(study.out / "repeatability.csv", repeatability(rms, extents), f"{equal}, all pairs")
+    made = origin.lines("effect_study/effect_study.py")
+    tables = {"effects": (effect_rows, f"{study.case.name} at {study.spacing}; distances: root mean square from the run with nothing "
+                                       "changed"),
+              "effects-convergence": (convergence_rows, "distances: root mean square from the finest run"),
+              "effects-repeatability": (repeatability(rms, extents), f"{equal}, all pairs")}
+    for folder in filter(None, (study.out, given.record)):
+        for name, (rows, comment) in tables.items():
+            write_table(folder / f"{name}.csv", rows, f"{made}\n{comment}")
     results = Results(study.times, effect_rows, convergence_rows, rms, extents)
     picture = study.out / "effects.svg"
     draw(results, picture)
@@ -163,9 +169,9 @@ def main():
         base = {"group": "as it is", "choice": ""} | rms_columns({}, "", study.times)
         base |= figures_of(study.base, study.times)
         case = study.case.relative_to(ROOT)
-        given.page.write_text(page(results, base, f"`{case}` at a spacing of {study.spacing}", equal, commit()),
+        given.page.write_text(page(results, base, f"`{case}` at a spacing of {study.spacing}", equal, origin.commit()),
                               encoding="utf-8")
-    print(f"{study.out / 'effects.csv'}, convergence.csv, repeatability.csv, {picture.name}")
+    print(f"{', '.join(f'{name}.csv' for name in tables)} and {picture.name} in {study.out}")
 
 
 if __name__ == "__main__":

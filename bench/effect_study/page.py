@@ -11,7 +11,7 @@ CURVES = ("free_surface", "bed", "moving_bed")
 
 @dataclass
 class Results:
-    """What a study found: rows as in its CSV tables, lengths in m."""
+    """The results of a study: rows as in its CSV tables, lengths in m."""
     times: list         # [s]
     effects: list       # a row a choice
     convergence: list   # a row a spacing, the finest last

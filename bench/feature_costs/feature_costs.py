@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What each feature costs where it is used, and that it costs nothing where it is not: feature_costs.py THALWEG
+"""Measures the cost of each feature, and shows that a scene without the feature does not pay for it: feature_costs.py THALWEG
 
-Every row is two runs in turn from the same particles, or from scenes of equally many: one without the feature, one with
-it. What a step without it does not even call stands in the last column.
+Each row compares two runs that alternate, one without the feature and one with it. Both start from the same particles, or from
+scenes with equally many. The second table lists the lines of the step that only the run with the feature calls.
 """
 
 import argparse
@@ -13,8 +13,11 @@ from dataclasses import dataclass, field
 BENCH = pathlib.Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(BENCH), str(BENCH / "scaling")]
 
-import measure  # noqa: E402
 import scaling  # noqa: E402
+from study.costs import fill, overrides, solve, write_case  # noqa: E402
+from study.origin import ROOT, command_line  # noqa: E402
+from study.record import Record, common_arguments  # noqa: E402
+from study.repeats import Spread, in_turn, ratios  # noqa: E402
 
 GAUGES = "".join(f"""
 [[gauge]]
@@ -26,7 +29,7 @@ at = ["{x} m", "0.08 m"]
 
 @dataclass
 class Start:
-    """From what, and how, the solver takes its steps."""
+    """The state and the settings from which the solver takes its steps."""
     run: pathlib.Path
     state: pathlib.Path = None  # a checkpoint; without: the filled scene
     changes: list = field(default_factory=list)
@@ -34,30 +37,30 @@ class Start:
 
     def cost(self, given, length):
         state = ["--restart", self.state] if self.state else []
-        return measure.solve(given.thalweg, self.run, *state, *measure.settings(self.changes), *self.flags, *length)
+        return solve(given.thalweg, self.run, *state, *overrides(self.changes), *self.flags, *length)
 
     def but(self, *changes, flags=()):
         return Start(self.run, self.state, [*self.changes, *changes], [*self.flags, *flags])
 
 
 class Scenes:
-    """Scenes that rows share, filled and run up to where they start when first asked for."""
+    """Scenes that several rows share. A scene is filled, and run up to its start, when it is first needed."""
 
     def __init__(self, given):
         self.given, self.known = given, {}
 
     def filled(self, name, case, *changes):
-        return Start(measure.fill(self.given.thalweg, case, self.given.out / name, changes))
+        return Start(fill(self.given.thalweg, case, self.given.out / name, changes))
 
     def written(self, name, text):
-        folder = measure.write_case(text, self.given.out / name)
-        return Start(measure.fill(self.given.thalweg, folder, folder / "run"))
+        folder = write_case(text, self.given.out / name)
+        return Start(fill(self.given.thalweg, folder, folder / "run"))
 
     def after(self, seconds, start):
         """The same scene after `seconds`."""
         state = start.run / f"after-{seconds:g}s.vtp"
         if not state.exists():
-            measure.solve(self.given.thalweg, start.run, "--until", f"{seconds} s", *measure.settings(start.changes))
+            solve(self.given.thalweg, start.run, "--until", f"{seconds} s", *overrides(start.changes))
             (start.run / "checkpoint.vtp").rename(state)
         return Start(start.run, state, start.changes)
 
@@ -68,7 +71,7 @@ class Scenes:
     def louvain(self, *changes, name="louvain"):
         always = [f"numerics.spacing={self.given.spacing} mm", "model.sediment=viscoplastic",
                   "materials.pvc.dynamic_friction_angle=50 deg"]  # read by the row that needs it only
-        return self.filled(name, measure.ROOT / "cases" / "louvain", *always, *changes)
+        return self.filled(name, ROOT / "cases" / "louvain", *always, *changes)
 
 
 def narrow(width, particles):
@@ -80,7 +83,7 @@ def narrow(width, particles):
 
 
 def comparisons(scenes):
-    """Name, the scene's words, without, with, and for how long."""
+    """Rows of the comparison: feature, scene, start without it, start with it, and the options that say how long to run."""
     given = scenes.given
     steps = ["--benchmark", given.steps]
     short = ["--until", f"{given.seconds} s"]
@@ -88,12 +91,12 @@ def comparisons(scenes):
     moving = collapse.but("model.rest=false")
     still = scaling.scene(2, given.particles, True).replace("rest = false", "rest = true")
     rest = scenes.after(given.settle, scenes.written("still", still))
-    dam = scenes.filled("dam", measure.ROOT / "cases" / "dam_break", "numerics.spacing=2 mm")
+    dam = scenes.filled("dam", ROOT / "cases" / "dam_break", "numerics.spacing=2 mm")
     louvain = scenes.louvain("output.interval=0 s", name="silent")
-    gauged = scenes.written("gauged", (measure.ROOT / "cases/louvain/case.toml").read_text(encoding="utf-8")
+    gauged = scenes.written("gauged", (ROOT / "cases/louvain/case.toml").read_text(encoding="utf-8")
                             .replace('spacing = "5 mm"', f'spacing = "{given.spacing} mm"')
                             .replace('"three-state"', '"viscoplastic"').replace('interval = "0.05 s"', "") + GAUGES)
-    gate = (measure.ROOT / "cases/gate/case.toml").read_text(encoding="utf-8").replace(
+    gate = (ROOT / "cases/gate/case.toml").read_text(encoding="utf-8").replace(
         'spacing = "5 mm"', f'spacing = "{given.spacing} mm"')
     still_gate = gate.replace('"moving wall"', '"wall"').replace('motion = "lift"\n', "")
     first, last = still_gate.index("[[motion]]"), still_gate.index("[materials.water]")
@@ -125,7 +128,7 @@ def comparisons(scenes):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    measure.common_arguments(parser, 5)
+    common_arguments(parser, 5)
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/feature_costs"),
                         help="where scenes go; kept for the next time (default: %(default)s)")
     parser.add_argument("--particles", type=int, default=40000, help="of scenes that are layers (default: %(default)s)")
@@ -134,32 +137,32 @@ def main():
     parser.add_argument("--seconds", type=float, default=0.05, help="[s] of a run with gauges or snapshots")
     parser.add_argument("--start", type=float, default=0.15, help="[s] of collapse before the rows that say so")
     parser.add_argument("--settle", type=float, default=0.5, help="[s] in which the bed comes to rest")
-    parser.add_argument("--only", help="rows whose names hold this text")
+    parser.add_argument("--only", help="only rows whose name contains this text")
     given = parser.parse_args()
 
-    page = measure.Page("feature-costs", "What features cost", measure.command_line("feature_costs/feature_costs.py"))
+    record = Record("feature-costs", "What features cost", command_line("feature_costs/feature_costs.py"))
     rows, unused = [], []
     for name, scene, off, on, length in comparisons(Scenes(given)):
         if given.only and given.only not in name:
             continue
-        runs = measure.in_turn({f"{name}, {scene}: without": lambda: off.cost(given, length),
-                                f"{name}, {scene}: with": lambda: on.cost(given, length)}, given.repeats)
+        runs = in_turn({f"{name}, {scene}: without": lambda: off.cost(given, length),
+                        f"{name}, {scene}: with": lambda: on.cost(given, length)}, given.repeats)
         without, used = runs.values()
         a, b = without[0], used[0]
         added = [h for h in b.headings if h not in a.headings]
         rows.append([name, scene, f"{a.fluid}" if a.fluid == b.fluid else f"{a.fluid}, {b.fluid}",
-                     measure.Spread.of(c.ns for c in without).median, measure.Spread.of(c.ns for c in used).median,
-                     measure.ratios([c.cpu / c.steps for c in used], [c.cpu / c.steps for c in without]),
+                     Spread.of(c.ns for c in without).median, Spread.of(c.ns for c in used).median,
+                     ratios([c.cpu / c.steps for c in used], [c.cpu / c.steps for c in without]),
                      f"{a.bytes:.0f}, {b.bytes:.0f}", f"{a.iterations:.1f}, {b.iterations:.1f}"])
-        page.figure(f"{name} ({scene}): time of a step, with over without", f"{rows[-1][5].median:.2f}")
+        record.figure(f"{name} ({scene}): time of a step, with over without", f"{rows[-1][5].median:.2f}")
         unused.append([name, scene, len(a.headings), ", ".join(added) or "-"])
-    page.table(f"One thread, {given.repeats} runs each in turn, {given.steps} steps: medians; of the ratio least and largest "
-               "too", ["feature", "scene", "particles without, with", "ns a particle-step without", "ns a particle-step with",
-                       "processor time of a step, with over without", "bytes a particle", "viscous iterations a step"],
-               rows)
-    page.table("What is off is not called: lines of the step that the run without the feature went through, and those that only "
-               "the run with it did", ["feature", "scene", "lines without", "lines that the feature adds"], unused)
-    page.write(given.results)
+    record.table(f"One thread, {given.repeats} runs each in turn, {given.steps} steps: medians; of the ratio least and largest "
+                 "too", ["feature", "scene", "particles without, with", "ns a particle-step without", "ns a particle-step with",
+                         "processor time of a step, with over without", "bytes a particle", "viscous iterations a step"],
+                 rows)
+    record.table("What is off is not called: lines of the step that the run without the feature went through, and those that only "
+                 "the run with it did", ["feature", "scene", "lines without", "lines that the feature adds"], unused)
+    record.write(given.records)
 
 
 if __name__ == "__main__":

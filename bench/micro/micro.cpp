@@ -1,5 +1,5 @@
 // Micro-benchmarks of the solver's passes and sweeps; compiled once per instruction set, as the cores are.
-// bench/micro.py runs them and makes the table.
+// bench/micro/micro.py runs them and writes the table.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -18,7 +18,7 @@ namespace {
 
 using Device = OpenMp<>;
 
-/// What the machine could do at most, in the same words.
+/// The largest rates that the machine reaches.
 namespace peak {
 
 /// Twelve independent chains of multiply-add hide its latency.
@@ -125,7 +125,7 @@ struct Bed {
   }
 };
 
-/// What a sweep over some clusters meets.
+/// The pairs that a sweep over some clusters visits.
 struct Meetings {
   double particles = 0;
   double useful = 0;   // pairs of two particles within the kernel's support

@@ -3,17 +3,15 @@
 
     bench/micro/micro.py build/release
 
-runs the programs thalweg_micro_* of that build on one thread (five minutes or less) and writes bench/results/DATE-micro.json and
-DATE-micro.md: nanoseconds a particle, million useful pairs a second, how many lanes were useful, bytes that had to be moved, and
+runs the programs thalweg_micro_* of that build on one thread (five minutes or less) and writes bench/records/micro.json and
+micro.md: nanoseconds a particle, million useful pairs a second, how many lanes were useful, bytes that had to be moved, and
 the instructions of each sweep's inner loop as the compiler left them. Times are CPU times, the least of three repetitions. Where
 valgrind is, callgrind counts the instructions that the sweeps of AVX2 carry out; it does not know AVX-512.
 """
 
 import argparse
-import collections
 import datetime
 import json
-import os
 import pathlib
 import re
 import shutil
@@ -21,10 +19,16 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from disassembly import count, inner_loop, sweeps  # noqa: E402
+from study import origin  # noqa: E402
+from study.record import RECORDS  # noqa: E402
+from study.tables import markdown  # noqa: E402
+
 LANES = {"avx512": 16, "avx2": 8, "baseline": 4}
 NEEDS = {"avx512": {"avx512f", "avx512dq", "avx512vl", "avx512bw"}, "avx2": {"avx2", "fma"}, "baseline": set()}
-# What Google Benchmark says of a run beside its results.
+# Keys that Google Benchmark adds to the results of a run.
 BOOKKEEPING = {"family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "repetition_index", "threads",
                "real_time", "time_unit"}
 SWEEPS = {
@@ -40,14 +44,8 @@ SWEEPS = {
 }
 
 
-def of_processor(key):
-    """The first value of a key in /proc/cpuinfo."""
-    found = re.search(rf"^{key}\s*:\s*(.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
-    return found[1].strip() if found else ""
-
-
 def run(program, repetitions, seconds, chosen):
-    """What Google Benchmark reports: {name: the repetition with the least CPU time}."""
+    """Runs a benchmark program; {name: the repetition with the least CPU time}."""
     text = subprocess.run([program, "--benchmark_format=json", f"--benchmark_repetitions={repetitions}",
                            f"--benchmark_min_time={seconds}", f"--benchmark_filter={chosen}"],
                           check=True, capture_output=True, text=True).stdout
@@ -60,52 +58,13 @@ def run(program, repetitions, seconds, chosen):
     return best
 
 
-def functions(program):
-    """(name, [(address, operation, operands)]) of every function in the machine code."""
-    text = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", program], check=True, capture_output=True, text=True).stdout
-    for block in text.split("\n\n"):
-        head, _, body = block.lstrip("\n").partition("\n")
-        if name := re.match(r"[0-9a-f]+ <(.*)>:$", head):
-            yield name[1], [(int(m[1], 16), m[2], m[3])
-                            for m in re.finditer(r"^\s*([0-9a-f]+):\s+(\S+) *(.*)$", body, re.MULTILINE)]
-
-
-def inner_loop(code):
-    """The shortest loop that prefetches, or else that multiplies: the one over a cluster's neighbours."""
-    place = {address: n for n, (address, _, _) in enumerate(code)}
-    loops = []
-    for n, (address, operation, operands) in enumerate(code):
-        if not operation.startswith("j") or not (target := re.match(r"([0-9a-f]+)", operands)):
-            continue
-        start = place.get(int(target[1], 16), n + 1)
-        if start <= n:
-            loops.append(code[start:n + 1])
-    for marks in (r"prefetch", r"v?(fn?m(add|sub)\w*|mul)ps"):
-        found = [loop for loop in loops if any(re.match(marks, operation) for _, operation, _ in loop)]
-        if found:
-            return min(found, key=len)
-    return None
-
-
 def count_instructions(program):
     """{"3-D/momentum": {"instructions": …}} of the sweeps' inner loops."""
     counts = {}
-    for name, code in functions(program):
-        sweep = re.search(r"sweep(?:_cluster)?<(\d), thalweg::\w+, thalweg::(.*)", name)
-        loop = inner_loop(code) if sweep else None
-        title = next((title for pattern, title in SWEEPS.items() if sweep and re.match(pattern, sweep[2])), None)
-        if loop is None or title is None:
-            continue
-        operations = collections.Counter(operation for _, operation, _ in loop)
-        total = lambda pattern: sum(n for operation, n in operations.items() if re.match(pattern, operation))
-        counts[f"{sweep[1]}-D/{title}"] = {
-            "instructions": len(loop),
-            "multiply": total(r"v?(fn?m(add|sub)\w*|mul)p[sd]"),
-            "add": total(r"v?(add|sub)p[sd]|v?psubd"),
-            "shuffle": total(r"v?(permil|shuf|unpck|insert|perm|movlh|movhl|movsh|movsl|pshuf)\w*"),
-            "divide or root": total(r"v?(div|sqrt)p[sd]"),
-            "on the stack": sum(1 for _, _, operands in loop if re.search(r"\(%r[sb]p", operands)),
-        }
+    for dimension, body, code in sweeps(program):
+        title = next((title for pattern, title in SWEEPS.items() if re.match(pattern, body)), None)
+        if title is not None:
+            counts[f"{dimension}-D/{title}"] = count(inner_loop(code))
     if missing := {f"{d}-D/{title}" for d in "23" for title in SWEEPS.values()} - counts.keys():
         sys.exit(f"{program}: found no inner loop of {', '.join(sorted(missing))}")
     return counts
@@ -131,7 +90,7 @@ def size_of(name):
 
 
 def table(head, rows):
-    return "\n".join(["| " + " | ".join(line) + " |" for line in [head, ["---"] * len(head), *rows]])
+    return "\n".join(markdown(head, rows))
 
 
 def sweep_rows(results, sets, dimension):
@@ -201,7 +160,7 @@ def page(results, facts, command):
     counted = next(iter(results[sets[0]]["loops"].values()), {})
     return f"""# Passes and sweeps by themselves, {facts['date']}
 
-Machine: {facts['processor']}, {facts['caches']}; load {facts['load']:.1f} at the start. Commit {facts['commit']}. Command:
+Machine: {facts['machine']}; load {facts['load']:.1f} at the start. Commit {facts['commit']}. Command:
 
     {command}
 
@@ -247,16 +206,13 @@ Callgrind's count of whole sweeps beside that of the inner loop: the rest is wha
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path, help="build folder with bench/thalweg_micro_*")
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench" / "results")
+    parser.add_argument("--records", type=pathlib.Path, default=RECORDS, help="where the record goes (default: bench/records)")
     parser.add_argument("--filter", default=".", help="only benchmarks with such names (a regular expression)")
     arguments = parser.parse_args()
 
-    git = lambda *words: subprocess.run(["git", "-C", ROOT, *words], check=True, capture_output=True, text=True).stdout.strip()
-    changed = " with changes" if git("status", "--porcelain", "--untracked-files=no") else ""
-    facts = {"date": datetime.date.today().isoformat(), "commit": git("rev-parse", "--short", "HEAD") + changed,
-             "processor": of_processor("model name"), "caches": of_processor("cache size") + " of cache a core",
-             "load": os.getloadavg()[0]}
-    has = set(of_processor("flags").split())
+    facts = {"date": datetime.date.today().isoformat(), "commit": origin.commit(), "machine": origin.machine(),
+             "load": origin.load()}
+    has = set(origin.processor("flags").split())
     results = {}
     for isa, needs in NEEDS.items():
         program = arguments.build / "bench" / f"thalweg_micro_{isa}"
@@ -269,10 +225,11 @@ def main():
     if not results:
         parser.error(f"no thalweg_micro_* in {arguments.build}/bench that runs here; build them first")
 
-    stem = arguments.out / f"{facts['date']}-micro"
-    stem.with_suffix(".json").write_text(json.dumps({"facts": facts, "results": results}, indent=1) + "\n")
-    stem.with_suffix(".md").write_text(page(results, facts, f"bench/micro/micro.py {arguments.build}"))
-    print(f"written: {stem}.json and {stem}.md")
+    arguments.records.mkdir(parents=True, exist_ok=True)
+    plain = json.dumps({"facts": facts, "results": results}, indent=1)
+    (arguments.records / "micro.json").write_text(plain + "\n", encoding="utf-8")
+    (arguments.records / "micro.md").write_text(page(results, facts, origin.command_line("micro/micro.py")), encoding="utf-8")
+    print(f"written: micro.json and micro.md in {arguments.records}")
 
 
 if __name__ == "__main__":

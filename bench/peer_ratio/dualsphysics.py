@@ -4,14 +4,13 @@ Its own generator of scenes comes as a program without sources, so the two files
 is computed and how, and NAME.bi4, the particles, in the layout of its classes JBinaryData and JPartDataBi4.
 """
 
-import pathlib
 import re
 import shutil
 import struct
 import subprocess
 from array import array
 
-from measure import call
+from study.programs import call
 
 FLAGS = "-O3 -march=native -ffast-math"
 MAKE = ["make", "-f", "Makefile_cpu", "USE_FAST_MATH=YES", "USE_NATIVE_CPU_OPTIMIZATIONS=YES", "COMPILE_CHRONO=NO",

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How fast one core is beside DualSPHysics 5.4 on the same 3-D dam break: peer_ratio.py THALWEG --dualsphysics FOLDER
+"""Compares one core with DualSPHysics 5.4 on the same 3-D dam break: peer_ratio.py THALWEG --dualsphysics FOLDER
 
-Both start from the same particles in the middle of the collapse, which ours computes first; same kernel (Wendland C2), same
-smoothing length, same speed of sound, artificial viscosity and density diffusion, one thread. Counted are evaluations of
-the forces on a fluid particle a second of processor time: a leapfrog step has one, a two-pass step and their symplectic one
-two. What both need before their first step (reading, first lists) is left out: theirs as the cost of a run of one step,
-ours as it says itself.
+Both programs start from the same particles in the middle of the collapse, which ours computes first. They use the same kernel
+(Wendland C2), smoothing length, speed of sound, artificial viscosity and density diffusion, and one thread. The measure is the
+number of evaluations of the forces on a fluid particle per second of processor time: a leapfrog step has one evaluation, a
+two-pass step and their symplectic step have two. The time before the first step (reading, first lists) is left out: for theirs
+it is measured as a run of one step, ours reports it.
 
 FOLDER holds the sources of DualSPHysics 5.4, which are compiled with -O3 -march=native -ffast-math; without it only the
 second table is made: ours alone on the two-phase scene of cases/louvain.
@@ -19,8 +19,11 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import dualsphysics  # noqa: E402
-import measure  # noqa: E402
 from study import particle_file  # noqa: E402
+from study.costs import fill, solve, write_case  # noqa: E402
+from study.origin import ROOT, command_line  # noqa: E402
+from study.record import Record, common_arguments  # noqa: E402
+from study.repeats import Spread, in_turn, ratios, shown  # noqa: E402
 
 SCENE = {"name": "collapse", "spacing": 0.008, "smoothing_length": 0.012, "density": 1000.0, "sound_speed": 35.0,
          "artificial_viscosity": 0.02, "density_diffusion": 0.1, "cfl": 0.2}
@@ -67,11 +70,11 @@ def ours(given):
     end = 10.0
     case = CASE.format(tank=TANK, column=COLUMN, scene=SCENE, ratio=SCENE["smoothing_length"] / SCENE["spacing"],
                        speed=SCENE["sound_speed"] / 10, end=end)
-    folder = measure.write_case(case, given.out / "collapse")
-    run = measure.fill(given.thalweg, folder, folder / "run", [f"numerics.spacing={given.spacing} m"])
+    folder = write_case(case, given.out / "collapse")
+    run = fill(given.thalweg, folder, folder / "run", [f"numerics.spacing={given.spacing} m"])
     state = folder / f"after-{given.start:g}s-{given.spacing}m.vtp"
     if not state.exists():
-        measure.solve(given.thalweg, run, "--until", f"{given.start} s", threads=2)
+        solve(given.thalweg, run, "--until", f"{given.start} s", threads=2)
         (run / "checkpoint.vtp").rename(state)
     return run, state
 
@@ -92,16 +95,16 @@ def theirs(given, state):
     return dualsphysics.write_scene(given.out / "dualsphysics", scene, walls, fluid, velocity, density), len(walls) // 3
 
 
-def compare(given, page):
+def compare(given, record):
     program = dualsphysics.build(given.dualsphysics, given.out.resolve() / "build", 2)
     run, state = ours(given)
     case, n_walls = theirs(given, state)
-    n = measure.solve(given.thalweg, run, "--restart", state, "--benchmark", 1).fluid
+    n = solve(given.thalweg, run, "--restart", state, "--benchmark", 1).fluid
 
     def evaluations_of_ours(integrator):
         evaluations = OURS[integrator]
-        cost = measure.solve(given.thalweg, run, "--restart", state, "--benchmark", given.steps // evaluations, "--set",
-                             f"numerics.integrator={integrator}")
+        cost = solve(given.thalweg, run, "--restart", state, "--benchmark", given.steps // evaluations, "--set",
+                     f"numerics.integrator={integrator}")
         return evaluations * n * cost.steps / cost.cpu, cost
 
     def evaluations_of_theirs(cells, start):
@@ -110,60 +113,60 @@ def compare(given, page):
 
     starts = {cells: statistics.median(dualsphysics.take_steps(program, case, 1, cells)[0] for _ in range(3))
               for cells in CELLS}
-    found = measure.in_turn({name: lambda name=name: evaluations_of_ours(name) for name in OURS} |
-                            {cells: lambda cells=cells: evaluations_of_theirs(cells, starts[cells]) for cells in CELLS},
-                            given.repeats)
+    found = in_turn({name: lambda name=name: evaluations_of_ours(name) for name in OURS} |
+                    {cells: lambda cells=cells: evaluations_of_theirs(cells, starts[cells]) for cells in CELLS},
+                    given.repeats)
     our_rates = {name: [rate for rate, _ in found[name]] for name in OURS}
     cost = found["leapfrog"][0][1]
     their_rates = {cells: [rate for rate, _ in found[cells]] for cells in CELLS}
     version = found["full"][0][1]
-    ratios = {cells: measure.ratios(our_rates["leapfrog"], their_rates[cells]) for cells in CELLS}
-    page.table(f"3-D dam break, {n} fluid particles, smoothing length 1.5 spacings, from {given.start} s after the "
-               f"collapse began; {given.repeats} runs each in turn: median (least to largest)",
-               ["program", "million evaluations/CPU s", "our leapfrog over it, pair by pair", "steps", "evaluations a step", "walls",
-                "lists built"],
-               [*([f"Thalweg, {name}", measure.Spread.of(r / 1e6 for r in our_rates[name]),
-                   measure.ratios(our_rates["leapfrog"], our_rates[name]), found[name][0][1].steps, evaluations,
-                   cost.particles - cost.fluid, found[name][0][1].rebuilds] for name, evaluations in OURS.items()),
-                *([f"DualSPHysics {version}, symplectic, {dualsphysics.FLAGS}, cells {CELLS[cells]}",
-                   measure.Spread.of(r / 1e6 for r in their_rates[cells]), ratios[cells], given.peer_steps, 2, n_walls,
-                   "every step"] for cells in CELLS)])
+    over_theirs = {cells: ratios(our_rates["leapfrog"], their_rates[cells]) for cells in CELLS}
+    record.table(f"3-D dam break, {n} fluid particles, smoothing length 1.5 spacings, from {given.start} s after the "
+                 f"collapse began; {given.repeats} runs each in turn: median (least to largest)",
+                 ["program", "million evaluations/CPU s", "our leapfrog over it, pair by pair", "steps", "evaluations a step", "walls",
+                  "lists built"],
+                 [*([f"Thalweg, {name}", Spread.of(r / 1e6 for r in our_rates[name]),
+                     ratios(our_rates["leapfrog"], our_rates[name]), found[name][0][1].steps, evaluations,
+                     cost.particles - cost.fluid, found[name][0][1].rebuilds] for name, evaluations in OURS.items()),
+                  *([f"DualSPHysics {version}, symplectic, {dualsphysics.FLAGS}, cells {CELLS[cells]}",
+                     Spread.of(r / 1e6 for r in their_rates[cells]), over_theirs[cells], given.peer_steps, 2, n_walls,
+                     "every step"] for cells in CELLS)])
     pairs = cost.neighbours * statistics.median(our_rates['leapfrog']) / 1e6
-    page.note(f"{cost.neighbours:.0f} neighbours in the support; ours meets {pairs:.0f} million of them a CPU second in each of two "
-              "sweeps, one for accelerations and one for density rates, beside what walls and lists take.")
+    record.note(f"{cost.neighbours:.0f} neighbours in the support; ours meets {pairs:.0f} million of them a CPU second in each of two "
+                "sweeps, one for accelerations and one for density rates, beside what walls and lists take.")
     for cells, words in CELLS.items():
-        page.figure(f"dam break in space, {n} particles, {cost.neighbours:.0f} neighbours: evaluations of the forces a CPU "
-                    f"second, one core; beside DualSPHysics {version} with cells {words}",
-                    f"{statistics.median(our_rates['leapfrog']) / 1e6:.2f} million; "
-                    f"{statistics.median(their_rates[cells]) / 1e6:.2f} million; ratio {measure.shown(ratios[cells])}; "
-                    f"{measure.shown(measure.ratios(our_rates['two-pass'], their_rates[cells]))} in two passes")
+        record.figure(f"dam break in space, {n} particles, {cost.neighbours:.0f} neighbours: evaluations of the forces a CPU "
+                      f"second, one core; beside DualSPHysics {version} with cells {words}",
+                      f"{statistics.median(our_rates['leapfrog']) / 1e6:.2f} million; "
+                      f"{statistics.median(their_rates[cells]) / 1e6:.2f} million; ratio {shown(over_theirs[cells])}; "
+                      f"{shown(ratios(our_rates['two-pass'], their_rates[cells]))} in two passes")
     total = sum(cost.headings.values())
-    page.table("Where ours spends its time", ["line of the step", "share"],
-               [[name, f"{100 * seconds / total:.1f} %"]
-                for name, seconds in sorted(cost.headings.items(), key=lambda line: -line[1]) if seconds > 0.005 * total])
+    record.table("Where ours spends its time", ["line of the step", "share"],
+                 [[name, f"{100 * seconds / total:.1f} %"]
+                  for name, seconds in sorted(cost.headings.items(), key=lambda line: -line[1]) if seconds > 0.005 * total])
 
 
-def two_phase(given, page):
-    """Ours alone on the plane two-phase scene, whole."""
-    run = measure.fill(given.thalweg, measure.ROOT / "cases" / "louvain", given.out / "louvain",
-                       ["numerics.spacing=4 mm"])
+def two_phase(given, record):
+    """Runs the whole plane two-phase scene with our program alone."""
+    run = fill(given.thalweg, ROOT / "cases" / "louvain", given.out / "louvain",
+               ["numerics.spacing=4 mm"])
     until = ["--until", f"{given.two_phase} s"]
-    costs = measure.in_turn({"Louvain": lambda: measure.solve(given.thalweg, run, *until)}, given.repeats)["Louvain"]
-    page.table(f"Louvain, 2-D, 4 mm, three states, {costs[0].fluid} fluid particles, {given.two_phase:g} s, one thread "
-               "(in DualSPHysics' non-Newtonian build 1 s took 642 to 798 CPU s on such a core, 0.65 million evaluations/CPU s)",
-               ["CPU s", "million evaluations/CPU s", "steps", "viscous iterations a step"],
-               [[measure.Spread.of(c.cpu for c in costs), measure.Spread.of(1e3 / c.ns for c in costs), costs[0].steps,
-                 costs[0].iterations]])
+    costs = in_turn({"Louvain": lambda: solve(given.thalweg, run, *until)}, given.repeats)["Louvain"]
+    record.table(f"Louvain, 2-D, 4 mm, three states, {costs[0].fluid} fluid particles, {given.two_phase:g} s, one thread "
+                 "(in DualSPHysics' non-Newtonian build 1 s took 642 to 798 CPU s on such a core, 0.65 million evaluations/CPU s)",
+                 ["CPU s", "million evaluations/CPU s", "steps", "viscous iterations a step"],
+                 [[Spread.of(c.cpu for c in costs), Spread.of(1e3 / c.ns for c in costs), costs[0].steps,
+                   costs[0].iterations]])
     if given.two_phase == 1:
-        page.figure("Louvain in the plane, 4 mm, three states, 1 s, one core",
-                    f"{statistics.median(c.cpu for c in costs):.1f} CPU s, "
-                    f"{statistics.median(1e3 / c.ns for c in costs):.1f} million particle-steps a CPU second "
-                    "(DualSPHysics' non-Newtonian build: 642 to 798 CPU s)")
+        record.figure("Louvain in the plane, 4 mm, three states, 1 s, one core",
+                      f"{statistics.median(c.cpu for c in costs):.1f} CPU s, "
+                      f"{statistics.median(1e3 / c.ns for c in costs):.1f} million particle-steps a CPU second "
+                      "(DualSPHysics' non-Newtonian build: 642 to 798 CPU s)")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    measure.common_arguments(parser, 5)
+    common_arguments(parser, 5)
     parser.add_argument("--dualsphysics", type=pathlib.Path, help="folder of DualSPHysics 5.4 with its sources")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/peer_ratio"),
                         help="where scenes and the build go; kept for the next time (default: %(default)s)")
@@ -173,14 +176,14 @@ def main():
     parser.add_argument("--peer-steps", type=int, default=13, help="of theirs in each run (default: %(default)s)")
     parser.add_argument("--two-phase", type=float, default=1.0, help="[s] of the plane scene; 0: without it")
     given = parser.parse_args()
-    page = measure.Page("peer", "Beside DualSPHysics on one core", measure.command_line("peer_ratio/peer_ratio.py"))
+    record = Record("peer", "Beside DualSPHysics on one core", command_line("peer_ratio/peer_ratio.py"))
     if given.dualsphysics is None:
-        page.note("DualSPHysics was not given (--dualsphysics FOLDER): no comparison.")
+        record.note("DualSPHysics was not given (--dualsphysics FOLDER): no comparison.")
     else:
-        compare(given, page)
+        compare(given, record)
     if given.two_phase > 0:
-        two_phase(given, page)
-    page.write(given.results)
+        two_phase(given, record)
+    record.write(given.records)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How the cost of a particle-step goes with the number of particles, and what a second thread gives: scaling.py THALWEG
+"""Measures the cost of a particle-step over the number of particles, and the gain from a second thread: scaling.py THALWEG
 
-Water over a bed, or water alone, between periodic sides: the domain widens while depth and spacing stay, so that scenes
-differ in nothing but their number of particles; the bed may not come to rest, as small scenes run for more steps. The
-cost of a step is the difference of two runs of different length, so that reading, first lists and the first touch of
-memory drop out; building lists is measured by a skin of zero, with which every step builds them. `--part` makes one
-part of the table at a time, for machines where all take too long.
+The scenes are water over a bed, or water alone, between periodic sides. The domain widens while depth and spacing stay, so that
+scenes differ only in their number of particles. The bed may not come to rest, because small scenes run for more steps. The cost
+of a step is the difference of two runs of different length: reading, the first lists and the first touch of memory drop out.
+The cost of building lists is measured with a skin of zero, with which every step builds them. `--part` makes one part of the
+table at a time, for machines where all take too long.
 """
 
 import argparse
@@ -18,7 +18,11 @@ from dataclasses import dataclass
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-import measure  # noqa: E402
+from study.costs import Cost, fill, solve, write_case  # noqa: E402
+from study.origin import command_line  # noqa: E402
+from study.programs import call  # noqa: E402
+from study.record import Record, common_arguments  # noqa: E402
+from study.repeats import Spread, in_turn, ratios  # noqa: E402
 
 SPACING = 0.01  # [m]
 LAST_CACHE = 2 << 20  # [bytes] of the counted traffic: much less than the scene, as with millions of particles
@@ -89,8 +93,8 @@ def scene(dimension, particles, with_bed):
 
 @dataclass
 class Steps:
-    """What the steps cost that the longer of two runs takes more, of one scene: [ns] a fluid particle."""
-    last: measure.Cost  # the longer run
+    """The cost of the steps that the longer of two runs takes beyond the shorter one: [ns] per fluid particle."""
+    last: Cost  # the longer run
     cpu: float          # processor time a step
     wall: float         # by the clock a step
     lists: float        # processor time a step for refresh_neighbours
@@ -103,7 +107,7 @@ class Steps:
 
 
 def measured_steps(given, run, few, many, threads, *options):
-    short, long = (measure.solve(given.thalweg, run, "--benchmark", steps, *options, threads=threads)
+    short, long = (solve(given.thalweg, run, "--benchmark", steps, *options, threads=threads)
                    for steps in (few, many))
     steps = long.steps - short.steps
     per = 1e9 / long.fluid
@@ -117,88 +121,88 @@ def measured_steps(given, run, few, many, threads, *options):
                  spent("solve_viscosity") * per / iterations if iterations > 0 else math.nan)
 
 
-def sizes(given, page, dimension, with_bed, numbers):
+def sizes(given, record, dimension, with_bed, numbers):
     rows = []
     for number in numbers:
-        folder = measure.write_case(scene(dimension, number, with_bed), given.out / f"{dimension}d-{with_bed:d}-{number}")
-        run = measure.fill(given.thalweg, folder, folder / "run")
+        folder = write_case(scene(dimension, number, with_bed), given.out / f"{dimension}d-{with_bed:d}-{number}")
+        run = fill(given.thalweg, folder, folder / "run")
         many = 2 + max(4, min(2000, int(given.work / number)))
-        turns = measure.in_turn({f"{number}": lambda: measured_steps(given, run, 2, many, 1),
-                                 f"{number}, lists in each step": lambda: measured_steps(
-                                     given, run, 2, 2 + max(2, many // 8), 1, "--set", "numerics.list_skin=0")},
-                                1 if number > 3e6 else given.repeats)
+        turns = in_turn({f"{number}": lambda: measured_steps(given, run, 2, many, 1),
+                         f"{number}, lists in each step": lambda: measured_steps(
+                             given, run, 2, 2 + max(2, many // 8), 1, "--set", "numerics.list_skin=0")},
+                        1 if number > 3e6 else given.repeats)
         taken, building = turns.values()
         cost = taken[0].last
-        rows.append([cost.fluid, measure.Spread.of(t.rest for t in taken),
-                     measure.Spread.of(t.solve for t in taken) if with_bed else "-",
-                     measure.Spread.of(t.lists for t in building),
+        rows.append([cost.fluid, Spread.of(t.rest for t in taken),
+                     Spread.of(t.solve for t in taken) if with_bed else "-",
+                     Spread.of(t.lists for t in building),
                      cost.bytes * cost.particles / cost.fluid, cost.peak / cost.particles, cost.steps])
         if number > 1e6:
             shutil.rmtree(folder)  # gigabytes
     name = f"{dimension}-D, {'water over a bed' if with_bed else 'water'}"
-    page.table(f"{name}, one thread; as many walls as {cost.particles / cost.fluid - 1:.0%} of the particles beside",
-               ["particles", "CPU ns a particle-step, no lists built, without the viscous solve",
-                "CPU ns a particle and viscous iteration", "CPU ns a particle to build lists",
-                "bytes of arrays a fluid particle", "peak memory a particle, reading included", "steps"], rows)
+    record.table(f"{name}, one thread; as many walls as {cost.particles / cost.fluid - 1:.0%} of the particles beside",
+                 ["particles", "CPU ns a particle-step, no lists built, without the viscous solve",
+                  "CPU ns a particle and viscous iteration", "CPU ns a particle to build lists",
+                  "bytes of arrays a fluid particle", "peak memory a particle, reading included", "steps"], rows)
     least, most = (pick(r[1].median for r in rows) for pick in (min, max))
-    page.note(f"Dearest over cheapest: {most / least:.2f}.")
-    page.figure(f"{name}, {rows[0][0]} to {rows[-1][0]} particles: CPU time a particle-step, one core",
-                f"{least:.0f} to {most:.0f} ns{' and the viscous solve' if with_bed else ''}; lists "
-                f"{min(r[3].median for r in rows):.0f} to {max(r[3].median for r in rows):.0f} ns each time; "
-                f"{rows[-1][4]:.0f} bytes a particle")
+    record.note(f"Dearest over cheapest: {most / least:.2f}.")
+    record.figure(f"{name}, {rows[0][0]} to {rows[-1][0]} particles: CPU time a particle-step, one core",
+                  f"{least:.0f} to {most:.0f} ns{' and the viscous solve' if with_bed else ''}; lists "
+                  f"{min(r[3].median for r in rows):.0f} to {max(r[3].median for r in rows):.0f} ns each time; "
+                  f"{rows[-1][4]:.0f} bytes a particle")
 
 
-def threads(given, page):
+def threads(given, record):
     rows = []
     for name, dimension, number, with_bed in (("2-D, bed", 2, given.thread_particles // 3, True),
                                               ("3-D, bed", 3, given.thread_particles, True),
                                               ("3-D, water", 3, given.thread_particles, False)):
-        folder = measure.write_case(scene(dimension, number, with_bed), given.out / f"threads-{dimension}d-{with_bed:d}")
-        run = measure.fill(given.thalweg, folder, folder / "run")
+        folder = write_case(scene(dimension, number, with_bed), given.out / f"threads-{dimension}d-{with_bed:d}")
+        run = fill(given.thalweg, folder, folder / "run")
         many = 2 + max(10, int(given.work / number))
-        turns = measure.in_turn({f"{name}, {n} threads": lambda n=n: measured_steps(given, run, 2, many, n)
-                                 for n in (1, 2)}, given.repeats)
+        turns = in_turn({f"{name}, {n} threads": lambda n=n: measured_steps(given, run, 2, many, n)
+                         for n in (1, 2)}, given.repeats)
         one, two = turns.values()
-        rows.append([name, one[0].last.fluid, measure.Spread.of(t.wall for t in one), measure.Spread.of(t.wall for t in two),
-                     measure.ratios((t.wall for t in one), (t.wall for t in two)),
-                     measure.ratios((t.cpu for t in two), (t.cpu for t in one))])
-        page.figure(f"second thread, {name}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} times as fast")
-    page.table("One thread and two, in turn; by the clock, which needs a machine with nothing else to do",
-               ["scene", "particles", "ns a particle-step, one", "two", "gain", "processor time of two over one"], rows)
+        rows.append([name, one[0].last.fluid, Spread.of(t.wall for t in one), Spread.of(t.wall for t in two),
+                     ratios((t.wall for t in one), (t.wall for t in two)),
+                     ratios((t.cpu for t in two), (t.cpu for t in one))])
+        record.figure(f"second thread, {name}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} times as fast")
+    record.table("One thread and two, in turn; by the clock, which needs a machine with nothing else to do",
+                 ["scene", "particles", "ns a particle-step, one", "two", "gain", "processor time of two over one"], rows)
 
 
 def counted(given, run, steps):
     """Instructions, reads and writes, misses of the first and of the last cache, as valgrind's model of them counts."""
-    said = measure.call("valgrind", "--tool=cachegrind", "--cache-sim=yes", f"--LL={LAST_CACHE},16,64",
-                        "--cachegrind-out-file=/dev/null", given.thalweg.with_name("thalweg-solver"), run, "--threads", 1,
-                        "--benchmark", steps).text
+    said = call("valgrind", "--tool=cachegrind", "--cache-sim=yes", f"--LL={LAST_CACHE},16,64",
+                "--cachegrind-out-file=/dev/null", given.thalweg.with_name("thalweg-solver"), run, "--threads", 1,
+                "--benchmark", steps).text
     return [int(re.search(rf"{name}:\s+([\d,]+)", said).group(1).replace(",", ""))
             for name in ("I +refs", "D +refs", "D1 +misses", "LLd misses")]
 
 
-def traffic(given, page):
-    """What a step reads and writes, where no counters of the processor can be had."""
+def traffic(given, record):
+    """Counts what a step reads and writes, by valgrind: the processor's own counters are often not accessible."""
     if shutil.which("valgrind") is None:
-        page.note("Memory traffic is not counted: valgrind is not installed.")
+        record.note("Memory traffic is not counted: valgrind is not installed.")
         return
     rows = []
     for with_bed in (False, True):
-        folder = measure.write_case(scene(3, given.traffic_particles, with_bed), given.out / f"traffic-{with_bed:d}")
-        run = measure.fill(given.thalweg, folder, folder / "run")
-        cost = measure.solve(given.thalweg, run, "--benchmark", 2)
+        folder = write_case(scene(3, given.traffic_particles, with_bed), given.out / f"traffic-{with_bed:d}")
+        run = fill(given.thalweg, folder, folder / "run")
+        cost = solve(given.thalweg, run, "--benchmark", 2)
         few, many = (counted(given, run, steps) for steps in (1, 3))
         each = [(m - f) / (2 * cost.fluid) for f, m in zip(few, many)]
         rows.append(["water over a bed" if with_bed else "water", cost.fluid, *each[:2], 64 * each[2], 64 * each[3],
                      cost.bytes * cost.particles / cost.fluid])
-    page.table(f"Counted by valgrind's model of the caches (AVX2 sweeps, which is all it knows; last cache {LAST_CACHE >> 20} MB), "
-               "3-D, for a fluid particle and a step that builds no lists",
-               ["scene", "particles", "instructions", "reads and writes", "bytes into the first cache",
-                "bytes from memory", "bytes of arrays a fluid particle"], rows)
+    record.table(f"Counted by valgrind's model of the caches (AVX2 sweeps, which is all it knows; last cache {LAST_CACHE >> 20} MB), "
+                 "3-D, for a fluid particle and a step that builds no lists",
+                 ["scene", "particles", "instructions", "reads and writes", "bytes into the first cache",
+                  "bytes from memory", "bytes of arrays a fluid particle"], rows)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    measure.common_arguments(parser, 3)
+    common_arguments(parser, 3)
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/scaling"),
                         help="where scenes go; kept for the next time but for the largest (default: %(default)s)")
     parser.add_argument("--largest", type=float, default=1e7, help="number of particles in 3-D (default: %(default)g)")
@@ -209,20 +213,20 @@ def main():
                         help="default: all but traffic")
     given = parser.parse_args()
 
-    page = measure.Page("scaling" + (f"-{given.part}" if given.part else ""), "Particles and threads",
-                        measure.command_line("scaling/scaling.py"))
+    record = Record("scaling" + (f"-{given.part}" if given.part else ""), "Particles and threads",
+                    command_line("scaling/scaling.py"))
     def up_to(largest):
         return [round(10 ** (4 + k / 2)) for k in range(1 + int(2 * math.log10(largest / 1e4) + 1e-6))]
     if given.part in (None, "space"):
-        sizes(given, page, 3, False, up_to(given.largest))
-        sizes(given, page, 3, True, up_to(min(1e6, given.largest)))
+        sizes(given, record, 3, False, up_to(given.largest))
+        sizes(given, record, 3, True, up_to(min(1e6, given.largest)))
     if given.part in (None, "plane"):
-        sizes(given, page, 2, True, up_to(min(1e6, given.largest)))
+        sizes(given, record, 2, True, up_to(min(1e6, given.largest)))
     if given.part in (None, "threads"):
-        threads(given, page)
+        threads(given, record)
     if given.part == "traffic":
-        traffic(given, page)
-    page.write(given.results)
+        traffic(given, record)
+    record.write(given.records)
 
 
 if __name__ == "__main__":

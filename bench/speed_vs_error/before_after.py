@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a change of the program has done to errors and seconds: before_after.py BEFORE.csv AFTER.csv [AFTER.csv …]
+"""Compares errors and seconds before and after a change of the program: before_after.py BEFORE.csv AFTER.csv [AFTER.csv …]
 
 Prints a table of the points (points.csv of speed_vs_error.py, or its record) that both have with the case's own numerics.
 """

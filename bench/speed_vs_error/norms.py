@@ -75,7 +75,7 @@ def order(spacings, errors):
 
 
 def pareto_front(points):
-    """Those of (cost, error) that no other beats in both, cheapest first."""
+    """The points (cost, error) that no other point beats in both, cheapest first."""
     front = []
     for cost, error in sorted(points):
         if not front or error < front[-1][1]:

@@ -153,7 +153,7 @@ def overview_table(rows, problems):
 
 
 def accuracy_table(rows, problems):
-    """What the levels of numerics.accuracy give and cost, beside the case's own numerics, which are those of "standard"."""
+    """Error and cost of the levels of numerics.accuracy; the case's own numerics are those of "standard"."""
     table = []
     for problem in problems:
         found = [row for row in rows if row["problem"] == problem["name"] and row["group"] == "numerics.accuracy"]
@@ -175,7 +175,7 @@ def accuracy_row(problem, spacing, base, levels):
 
 
 def verdict(problem, order, error):
-    """Whether what was expected came out."""
+    """Compares order and error with what was expected; returns the text for the table."""
     low, high = problem["expected"]["order"]
     missed = []
     if not low <= order <= high:

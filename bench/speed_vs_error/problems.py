@@ -1,4 +1,4 @@
-"""The problems with a known answer: how a run starts, and what its error is.
+"""The problems with a known answer: the start of a run, and its error.
 
 errors(run, finest) gives its measures by name; matrix.toml says which of them pictures and Pareto fronts show. `finest` is the run
 from which distances count, None where the problem has none or the run is this one.
@@ -173,7 +173,7 @@ class DamBreak:
 
 
 class Gauges:
-    """What gauges of a run read, as columns over time."""
+    """The readings of a run's gauges, as columns over time."""
 
     def __init__(self, run):
         self.rows = read_table(run.folder / "gauges.csv")

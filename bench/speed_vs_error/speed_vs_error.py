@@ -1,20 +1,18 @@
 #!/usr/bin/env python3
-"""Error against seconds: what each choice of the numerics costs, and how far its results lie from a known answer.
+"""Measures error against seconds: the cost of each choice of the numerics, and the distance of its results from a known answer.
 
 Runs the table matrix.toml: each problem at several spacings, with one key of the numerics changed at a time, and with every
 combination of a few. Whatever is there already is kept, so that a matrix that was stopped goes on where it was; runs that failed
 are tried again with --again. Then writes points.csv and a picture a problem to OUT, with the Pareto front marked, and, with --page,
-a page of documentation with the pictures in images/ beside it and, with --record, tables for bench/results.
+a page of documentation with the pictures in images/ beside it and, with --record, tables in bench/records.
 
 Seconds are the solver's own CPU seconds of one thread. Errors are distances from closed forms, from measurements, or from the
 finest run (problems.py).
 """
 
 import argparse
-import datetime
 import itertools
 import pathlib
-import shlex
 import shutil
 import sys
 import tomllib
@@ -25,6 +23,9 @@ sys.path.insert(0, str(ROOT / "bench"))
 from page import draw_problem, measured, page, summary_lines
 from problems import PROBLEMS, resolved
 from study import origin, runs
+from study.costs import overrides
+from study.programs import call
+from study.record import RECORDS
 from study.tables import write_table
 
 SHOWN = ("numerics.smoothing_ratio", "numerics.cfl", "numerics.sound_speed_factor", "numerics.density_diffusion",
@@ -33,14 +34,14 @@ SHOWN = ("numerics.smoothing_ratio", "numerics.cfl", "numerics.sound_speed_facto
 
 
 def value_of(case, key):
-    """Of a key like "numerics.cfl" in a resolved case; None if the program that wrote it does not know the key."""
+    """The value of a key like "numerics.cfl" in a resolved case; None if the program that wrote it does not know the key."""
     for name in key.split("."):
         case = case.get(name, {})
     return None if case == {} else case
 
 
 def written(value):
-    """As --set takes it."""
+    """A value in the form that --set takes."""
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
@@ -121,8 +122,7 @@ class Matrix:
         start = Point(self, problem, "", problem["base"])
         folder = self.out / "defaults" / problem["name"]
         shutil.rmtree(folder, ignore_errors=True)
-        overrides = [text for setting in start.run.settings for text in ("--set", setting)]
-        runs.call(self.thalweg, "gencase", start.run.case, "--out", folder, *overrides)
+        call(self.thalweg, "gencase", start.run.case, "--out", folder, *overrides(start.run.settings))
         return resolved(folder)
 
     def points_of(self, problem):
@@ -160,12 +160,12 @@ class Matrix:
         runs.compute_all(self.points, jobs, lambda point: point.compute(again))
 
     def left_out(self):
-        """What the table names and no row shows: keys that the program does not know, points that were not run yet."""
+        """Entries of the table without a row: keys that the program does not know, points that were not run yet."""
         return [f"{key} (unknown to the program)" for key in sorted(self.unknown)] + [
             point.run.name for point in self.points if not point.there()]
 
     def rows(self):
-        """What is there, as the lines of points.csv."""
+        """The finished points, as lines of points.csv."""
         rows = []
         for problem in self.problems:
             points = [point for point in self.points if point.problem is problem and point.there()]
@@ -189,8 +189,9 @@ def main():
     arguments.add_argument("--again", action="store_true", help="tries again what failed")
     arguments.add_argument("--collect", action="store_true", help="runs nothing: tables and pictures of what is there")
     arguments.add_argument("--page", type=pathlib.Path, help="page to write, its pictures in images/ beside it")
-    arguments.add_argument("--record", type=pathlib.Path,
-                           help="folder for DATE-speed-vs-error.csv and .md, with --quick DATE-speed-vs-error-quick")
+    arguments.add_argument("--record", nargs="?", type=pathlib.Path, const=RECORDS,
+                           help="also writes speed-vs-error.csv and .md there, with --quick speed-vs-error-quick (without a folder: "
+                                "bench/records)")
     given = arguments.parse_args()
 
     table = tomllib.loads(pathlib.Path(given.table).read_text(encoding="utf-8"))
@@ -203,9 +204,7 @@ def main():
     if not given.collect:
         matrix.compute(given.jobs, given.again)
 
-    words = [word for word in sys.argv[1:] if word not in ("--collect", "--again")]
-    command = shlex.join(["bench/speed_vs_error/speed_vs_error.py", *words])
-    made = f"{origin.processor()}; load {origin.load():.1f} when written\ncommit {origin.commit()}\n{command}"
+    made = origin.lines("speed_vs_error/speed_vs_error.py", ignored=("--collect", "--again"))
     rows = matrix.rows()
     if not rows:
         sys.exit("no run is there yet; leave --collect out")
@@ -220,11 +219,10 @@ def main():
             shutil.copy(matrix.out / f"speed_vs_error_{problem['name']}.svg", images)
         given.page.write_text(page(drawn, rows, made, matrix.left_out()), encoding="utf-8")
     if given.record:
-        part = "-quick" if given.quick else ""
-        name = f"{datetime.date.today():%Y-%m-%d}-speed-vs-error{part}"
+        name = "speed-vs-error" + ("-quick" if given.quick else "")
+        given.record.mkdir(parents=True, exist_ok=True)
         shutil.copy(matrix.out / "points.csv", given.record / f"{name}.csv")
-        (given.record / f"{name}.md").write_text("\n".join(summary_lines(drawn, rows, made, f"{name}.csv")),
-                                                 encoding="utf-8")
+        (given.record / f"{name}.md").write_text("\n".join(summary_lines(drawn, rows, made, f"{name}.csv")), encoding="utf-8")
     print(f"{matrix.out / 'points.csv'} and a picture a problem")
 
 

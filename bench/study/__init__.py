@@ -1,1 +1,1 @@
-"""What the studies share: runs that can be stopped and go on, tables, particle files, pictures, and where it was measured."""
+"""Shared by all measurements: programs and their costs, runs that go on where they stopped, tables, particle files, records."""

@@ -1,4 +1,4 @@
-"""Particle files (docs/file-formats.md) without a library: read what the program writes, write what it reads."""
+"""Particle files (docs/file-formats.md) without a library: reads the program's files and writes files that it reads."""
 
 import base64
 import re
@@ -24,21 +24,28 @@ def decoded(text):
 
 
 def encoded(plain):
-    """What decoded() takes: one zlib block."""
+    """The text of a DataArray with these bytes, in one zlib block; decoded() reads it."""
     packed = zlib.compress(plain)
     header = struct.pack("<4Q", 1, len(plain), len(plain), len(packed))
     return (base64.b64encode(header) + base64.b64encode(packed)).decode()
 
 
+def numbers(kind, plain):
+    """Unpacks the bytes of an array of this VTK type into a flat tuple."""
+    code = FORMATS[kind]
+    return struct.unpack(f"<{len(plain) // struct.calcsize(code)}{code}", plain)
+
+
 def arrays(file, wanted):
-    """The arrays of these names as flat tuples; "Points" are the places, three numbers a particle [m]."""
-    found = {}
-    for kind, name, text in ARRAY.findall(file.read_text(encoding="latin-1")):
-        if name in wanted:
-            plain = decoded(text)
-            code = FORMATS[kind]
-            found[name] = struct.unpack(f"<{len(plain) // struct.calcsize(code)}{code}", plain)
-    return found
+    """The arrays of these names as flat tuples; "Points" are the positions, three numbers a particle [m]."""
+    return {name: numbers(kind, decoded(text))
+            for kind, name, text in ARRAY.findall(file.read_text(encoding="latin-1")) if name in wanted}
+
+
+def stored_arrays(file):
+    """The VTK type and the bytes of every numerical array, by name; the cells' topology is left out."""
+    return {name: (kind, decoded(text)) for kind, name, text in ARRAY.findall(file.read_text(encoding="latin-1"))
+            if name not in ("connectivity", "offsets")}
 
 
 def replace_arrays(file, replacements):

@@ -3,19 +3,12 @@
 import json
 import re
 import shutil
-import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+from study.costs import overrides
+from study.programs import call
 from study.tables import read_table
-
-
-def call(thalweg, *arguments):
-    """What `thalweg` prints; an error with all it said if it fails."""
-    result = subprocess.run([thalweg, *arguments], capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        raise RuntimeError(f"thalweg {' '.join(map(str, arguments))}\n{result.stdout}{result.stderr}")
-    return result.stdout
 
 
 class Run:
@@ -38,8 +31,7 @@ class Run:
         checkpoint = self.folder / "checkpoint.vtp"
         if not (same and checkpoint.exists()):
             shutil.rmtree(self.folder, ignore_errors=True)
-            overrides = [text for setting in self.settings for text in ("--set", setting)]
-            call(self.thalweg, "gencase", self.case, "--out", self.folder, *overrides)
+            call(self.thalweg, "gencase", self.case, "--out", self.folder, *overrides(self.settings))
             if start:
                 start(self.folder)
             begun.write_text(json.dumps(self.settings), encoding="utf-8")
@@ -55,7 +47,7 @@ class Run:
         return next(row["value"] for row in read_table(self.folder / "summary.csv") if row["quantity"] == quantity)
 
     def cpu_seconds(self):
-        """Of the whole run, also if it was continued: the seconds of its last part, by steps."""
+        """Processor time of the whole run [s]; of a continued run the time of its last part, scaled by the number of steps."""
         return self.summary("cpu_seconds") * self.summary("steps") / self.summary("steps_since_restart")
 
     def profile_distances(self, others):

@@ -10,12 +10,15 @@ def number(text):
         return text
 
 
+def text_rows(file):
+    """Rows of a CSV table of ours as they stand in it: full headings, values as texts."""
+    with file.open(encoding="utf-8") as lines:
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
 def read_table(file):
     """Rows of a CSV table of ours, units taken off the headings, numbers as numbers."""
-    with file.open(encoding="utf-8") as lines:
-        rows = csv.DictReader(line for line in lines if not line.startswith("#"))
-        rows.fieldnames = [heading.split(" [")[0] for heading in rows.fieldnames]
-        return [{key: number(value) for key, value in row.items()} for row in rows]
+    return [{heading.split(" [")[0]: number(value) for heading, value in row.items()} for row in text_rows(file)]
 
 
 def write_table(file, rows, comment):

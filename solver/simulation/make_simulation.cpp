@@ -56,7 +56,7 @@ class Module {
     // Read when the OpenMP library is loaded, which the core does. Threads that spin while they wait for one another
     // are ten times slower on a busy machine (16.8 s against 1.4 s measured, two threads on two loaded cores); some
     // thousand turns before they sleep make Louvain with 62 500 particles a fifth faster on an idle one
-    // (bench/results). The user's own settings are kept.
+    // (bench/records). The user's own settings are kept.
     if (getenv("OMP_WAIT_POLICY") == nullptr) setenv("GOMP_SPINCOUNT", "5000", 0);
     setenv("OMP_WAIT_POLICY", "passive", 0);
     const auto file = find_core(name);

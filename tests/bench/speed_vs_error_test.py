@@ -116,7 +116,7 @@ class OneProblem(unittest.TestCase):
         self.assertEqual(mark.stat().st_mtime_ns, before)
 
     def test_page_record_and_picture_say_where_they_come_from(self):
-        record = next(self.out.glob("*-speed-vs-error-quick.md")).read_text(encoding="utf-8")
+        record = (self.out / "speed-vs-error-quick.md").read_text(encoding="utf-8")
         page = (self.out / "page.md").read_text(encoding="utf-8")
         for text in (record, page):
             self.assertRegex(text, r"commit [0-9a-f]{7}")

@@ -1,4 +1,4 @@
-"""The Louvain dam break, coarse and short: what the pipeline's tests run and where they find it."""
+"""The Louvain dam break, coarse and short: the run of the pipeline's tests, and readers for its files."""
 
 import csv
 import pathlib
@@ -14,7 +14,7 @@ COMPARED = (0.10, 0.25)  # [s]
 SETTINGS = (f'numerics.spacing="{SPACING} m"', f'foam.cell="{CELL} m"', f'output.end="{END} s"',
             f'output.interval="{INTERVAL} s"', "compare.times=[" + ", ".join(f'"{time} s"' for time in COMPARED) + "]")
 
-# Of the case as it stands in cases/louvain/case.toml.
+# Constants of cases/louvain/case.toml.
 WATER_LEVEL = 0.16  # [m]
 BED_LEVEL = 0.06  # [m]
 WATER_AREA = 1.0 * (WATER_LEVEL - BED_LEVEL)  # [m^2]
@@ -30,7 +30,7 @@ def command(thalweg, program, case, out, settings=SETTINGS, options=()):
 
 
 def call(words):
-    """Runs a program to its end and keeps what it said."""
+    """Runs a program to its end and keeps its output."""
     return subprocess.run([str(word) for word in words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
 
 

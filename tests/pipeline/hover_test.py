@@ -1,4 +1,5 @@
-"""What the report's page says under the pointer, in headless Chromium, against the curves beside it: hover_test.py THALWEG RUN"""
+"""Compares the values that the report shows at the pointer, in headless Chromium, with the curves beside it:
+hover_test.py THALWEG RUN"""
 
 import pathlib
 import re

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The measurements of bench/ in miniature, so that they can be repeated when they are wanted: measurements_test.py THALWEG FOLDER
+"""The measurements of bench/ in miniature, so that they still run when they are needed: measurements_test.py THALWEG FOLDER
 
-Their numbers mean nothing at this size; that there are numbers for every row does.
+At this size the numbers mean nothing; the test asks that every row has them.
 """
 
 import json
@@ -22,12 +22,12 @@ class Measurements(unittest.TestCase):
         shutil.rmtree(folder, ignore_errors=True)
 
     def run_script(self, script, *options):
-        """The tables that it leaves, by caption."""
-        results = folder / pathlib.Path(script).stem
-        done = subprocess.run([sys.executable, "-B", BENCH / script, thalweg, "--repeats", "1", "--out", results / "out",
-                               "--results", results, *options], capture_output=True, text=True, check=False)
+        """Runs a script and returns the tables of its record."""
+        records = folder / pathlib.Path(script).stem
+        done = subprocess.run([sys.executable, "-B", BENCH / script, thalweg, "--repeats", "1", "--out", records / "out",
+                               "--records", records, *options], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        found = list(results.glob("*.json"))
+        found = list(records.glob("*.json"))
         self.assertEqual(len(found), 1)
         content = json.loads(found[0].read_text(encoding="utf-8"))
         self.assertTrue(found[0].with_suffix(".md").read_text(encoding="utf-8").startswith("# " + content["title"]))

@@ -1,7 +1,7 @@
-"""Every number in a report's tables and tiles, made again from the tables beside the page: report_numbers_test.py THALWEG RUN
+"""Recomputes every number in a report's tables and tiles from the tables beside the page: report_numbers_test.py THALWEG RUN
 
-The page is read as a reader would read it; errors are computed anew from the curves in report/data, by code that shares
-nothing with the program's. A table that this test does not know is a failure: a number nobody can check.
+The test reads the page as it is shown. It computes errors anew from the curves in report/data, with code of its own. A table
+that this test does not know is a failure, because nobody would check its numbers.
 """
 
 import html.parser
@@ -74,7 +74,7 @@ def quantities(file):
 
 
 def printed_as(shown, value, decimals):
-    """Whether a number was printed from `value`, rounded half either way."""
+    """True if the printed number is `value` rounded to so many decimals; a half may go either way."""
     return abs(float(shown) - value) <= 0.5000001 * 10 ** -decimals
 
 
@@ -114,7 +114,7 @@ def mesh_models():
 
 
 def folder_of(label):
-    """Where report/data has the curves of a source."""
+    """The folder of report/data that holds the curves of a source."""
     return report / "data" / re.sub("[^a-z0-9]+", "_", label.lower())
 
 

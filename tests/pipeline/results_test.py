@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `thalweg run` leaves in its folder is whole and physically right: results_test.py THALWEG FOLDER"""
+"""Files of `thalweg run` are complete and physically right: results_test.py THALWEG FOLDER"""
 
 import html.parser
 import pathlib
@@ -103,7 +103,7 @@ class History(unittest.TestCase):
 
 
 class Profiles:
-    """The same physics is asked of the particles and of the mesh; `resolution` is what either can resolve [m]."""
+    """Particles and mesh have to pass the same physical checks; `resolution` is the smallest length that either resolves [m]."""
 
     def profile(self, time):
         return case.table(self.folder / f"t{time:.3f}.csv")
@@ -159,7 +159,7 @@ class MeshProfiles(Profiles):
 
 
 def mesh_models():
-    """Both models of our own, or where the library for them cannot be had the stock one, on one of the meshes."""
+    """Names of the mesh models: both of our own, or the stock one where the library for them is not available."""
     return sorted(path.name for path in (run / "foam").iterdir() if not path.name.endswith("x"))
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the whole pipeline on the coarse case, for the tests that look at what it leaves: run_once.py THALWEG FOLDER"""
+"""Runs the whole pipeline on the coarse case, for the tests that read its files: run_once.py THALWEG FOLDER"""
 
 import pathlib
 import shutil

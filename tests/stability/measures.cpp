@@ -20,7 +20,7 @@ double fluid_mass(const ParticleSet& p) {
   return mass[static_cast<std::size_t>(ParticleType::water)] + mass[static_cast<std::size_t>(ParticleType::sediment)];
 }
 
-/// Height of what `counts` at the start [m].
+/// Height of the particles at the start that `counts` selects [m].
 double height_of(const FinishedRun& run, bool (*counts)(ParticleType)) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (std::size_t i = 0; i < run.start.size(); ++i) {
@@ -91,7 +91,7 @@ double steps_over_acoustic(const FinishedRun& run) {
   return run.steps * acoustic / run.scene.output.end;
 }
 
-/// From the highest place of the fluid at the start to the lowest it has reached [m].
+/// Height from the highest place of the fluid at the start to the lowest place it has reached [m].
 double fall_height(const FinishedRun& run) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (std::size_t i = 0; i < run.start.size(); ++i) {
@@ -131,7 +131,7 @@ double viscous_iterations(const FinishedRun& run) {
   return sum / static_cast<double>(rows.size());
 }
 
-/// How far each sediment particle has come at the end [m].
+/// Distance of each sediment particle at the end from its place at the start [m].
 std::vector<double> displacements(const FinishedRun& run) {
   std::map<std::int64_t, Vec3> before;
   for (std::size_t i = 0; i < run.start.size(); ++i) before[run.start.id[i]] = run.start.position[i];
@@ -200,8 +200,8 @@ Profile measured_surface(const FinishedRun& run) {
   return read_profile(run.scene.folder / "reference" / profile_file_name(run.scene.output.end));
 }
 
-/// Where a deposit against the left wall ends: the first x at which its bed falls below `level`, linear between points.
-/// What has slid on in a film and lies somewhere beyond is not the deposit.
+/// End of a deposit against the left wall [m]: the first x at which its bed falls below `level`, linear between points.
+/// A thin film that has slid further does not belong to the deposit.
 double toe(const Profile& profile, double level) {
   for (std::size_t i = 1; i < profile.x.size(); ++i) {
     const double inner = profile.bed[i - 1];

@@ -10,7 +10,7 @@
 
 namespace thalweg::test {
 
-/// What a run left, as its measures need it.
+/// The files of a run, as its measures need them.
 struct FinishedRun {
   Case scene;
   ParticleSet start;
@@ -36,7 +36,7 @@ struct Measure {
 /// All measures by the names that suite.toml uses.
 const std::map<std::string, Measure>& measures();
 
-/// Numbers of a set that are not finite.
+/// Number of particles with a value that is not finite.
 double count_not_finite(const ParticleSet& particles);
 
 }  // namespace thalweg::test

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """Makes docs/stability.md of the last run of the stability suite: results_page.py SUITE.toml RESULTS_FOLDER PAGE.md"""
 
-import csv
 import pathlib
-import subprocess
 import sys
 import tomllib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bench"))
+
+from study.origin import commit  # noqa: E402
+from study.tables import markdown, text_rows  # noqa: E402
 
 HEAD = """# Stability: what the suite tries to break, and what came of it
 
@@ -23,14 +26,11 @@ COLUMNS = ["case", "what it tries", "particles", "steps", "CPU s", "mass, leak, 
 
 
 def results_of(folder, name):
-    """The rows a case left, by measure; empty when it left none (it was not run, or it stopped when it should not)."""
+    """The rows of a case by measure; empty if it was not run, or stopped when it should not."""
     file = folder / f"{name}.csv"
     if not file.exists():
         return {}
-    with file.open(encoding="utf-8") as lines:
-        rows = csv.DictReader(lines)
-        rows.fieldnames = [heading.split(" [")[0] for heading in rows.fieldnames]
-        return {row["measure"]: row for row in rows}
+    return {row["measure"]: {heading.split(" [")[0]: text for heading, text in row.items()} for row in text_rows(file)}
 
 
 def shown(row, with_bound):
@@ -56,19 +56,14 @@ def line_of(case, rows):
 
 
 def table(lines):
-    yield "| " + " | ".join(COLUMNS) + " |"
-    yield "|" + "---|" * len(COLUMNS)
-    for cells in lines:
-        yield "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
+    return markdown(COLUMNS, ([str(cell).replace("|", "\\|") for cell in cells] for cells in lines))
 
 
 def main(suite_file, results, page):
     suite = tomllib.loads(pathlib.Path(suite_file).read_text(encoding="utf-8"))
     lines = [line_of(case, results_of(pathlib.Path(results), case["name"])) for case in suite["case"]]
     bounds = suite["every_run"]
-    commit = subprocess.run(["git", "-C", pathlib.Path(suite_file).parent, "rev-parse", "--short", "HEAD"],
-                            capture_output=True, text=True).stdout.strip() or "unknown"
-    text = HEAD.replace("COMMIT", commit) + "\n".join(table(lines))
+    text = HEAD.replace("COMMIT", commit()) + "\n".join(table(lines))
     text += "\n\nBounds in every case that has to run to its end, unless the cell says another:\n\n"
     for name, bound in bounds.items():
         text += f"- {name.replace('_', ' ')} ≤ {bound['at_most']:g}: {bound['why']}.\n"

@@ -8,7 +8,7 @@
 #include "suite.hpp"
 #include "tests/solver/case_run.hpp"
 
-// Runs every case of cases/stability/suite.toml, holds its measures against their bounds, and leaves a table of both,
+// Runs every case of cases/stability/suite.toml and compares its measures with their bounds. Writes both to the table
 // <build>/stability/<case>.csv, from which docs/stability.md is made.
 namespace thalweg::test {
 namespace {
