@@ -32,6 +32,7 @@ using Series = InTemporaryFolder;
 ParticleSet awkward_particles(std::size_t n) {
   ParticleSet set;
   set.info = {"flume", "0.1.0-7-gabc", "0123456789abcdef", 3, 1.0 / 3.0 * 1e-2, 0.0075, 0.1, 123456789012345};
+  set.info.lattice_node = Vec3(1.0 / 3.0, -0.0, 1e-300);
   for (std::size_t i = 0; i < n; ++i) {
     const auto k = static_cast<float>(i);
     set.id.push_back((std::int64_t{1} << 53) + 1 + static_cast<std::int64_t>(i));
@@ -69,6 +70,7 @@ void expect_same(const ParticleSet& a, const ParticleSet& b) {
   EXPECT_EQ(a.info.smoothing_length, b.info.smoothing_length);
   EXPECT_EQ(a.info.time, b.info.time);
   EXPECT_EQ(a.info.step, b.info.step);
+  EXPECT_EQ(a.info.lattice_node, b.info.lattice_node);
   expect_same_bits(a.id, b.id);
   expect_same_bits(a.type, b.type);
   expect_same_bits(a.state, b.state);
@@ -154,6 +156,30 @@ TEST_F(ParticleFile, ReadsTheFactsAlone) {
   EXPECT_EQ(info.case_name, "flume");
   EXPECT_EQ(info.step, written.info.step);
   EXPECT_EQ(info.time, 0.1);
+}
+
+// Files of earlier versions and of other programs name no node of the lattice.
+TEST_F(ParticleFile, NeedsNoLatticeNode) {
+  ParticleSet written = awkward_particles(5);
+  written.info.lattice_node.reset();
+  write_particles(folder / "p.vtp", written, PositionPrecision::double_precision);
+  expect_same(written, read_particles(folder / "p.vtp"));
+}
+
+TEST_F(ParticleFile, RefusesALatticeNodeThatIsNoPoint) {
+  ParticleSet odd = awkward_particles(5);
+  odd.info.lattice_node = Vec3(0, std::nan(""), 0);
+  write_particles(folder / "p.vtp", odd, PositionPrecision::double_precision);
+  EXPECT_THAT(message_of(folder / "p.vtp"), HasSubstr("LatticeNode in its field data is no point; give one entry"));
+}
+
+TEST_F(ParticleFile, NeedsIdsAndTypes) {
+  write_particles(folder / "p.vtp", awkward_particles(4), PositionPrecision::double_precision);
+  std::ifstream stream(folder / "p.vtp");
+  std::string text((std::istreambuf_iterator<char>(stream)), {});
+  text.replace(text.find("Name=\"Type\""), 11, "Name=\"Kind\"");
+  std::ofstream(folder / "kind.vtp") << text;
+  EXPECT_THAT(message_of(folder / "kind.vtp"), HasSubstr("has no point array Type; particle files need Id and Type"));
 }
 
 TEST_F(ParticleFile, WorksInFoldersWithSpacesAndLeavesNothingElseBehind) {
