@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
@@ -17,6 +18,12 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
+/// The text of a particle file with one of its arrays under another name.
+std::string renamed(std::string text, const std::string& array, const std::string& to) {
+  const std::string attribute = "Name=\"" + array + '"';
+  return text.replace(text.find(attribute), attribute.size(), "Name=\"" + to + '"');
+}
+
 class InTemporaryFolder : public ::testing::Test {
  protected:
   InTemporaryFolder() { std::filesystem::create_directories(folder); }
@@ -25,7 +32,6 @@ class InTemporaryFolder : public ::testing::Test {
       std::filesystem::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-using ParticleFile = InTemporaryFolder;
 using Series = InTemporaryFolder;
 
 // Values that lose something under any rounding or conversion: thirds, denormals, a negative zero, ids beyond 2^53.
@@ -52,6 +58,17 @@ ParticleSet awkward_particles(std::size_t n) {
   }
   return set;
 }
+
+class ParticleFile : public InTemporaryFolder {
+ protected:
+  std::string written_text() const {
+    write_particles(folder / "written.vtp", awkward_particles(4), PositionPrecision::double_precision);
+    std::ostringstream text;
+    text << std::ifstream(folder / "written.vtp").rdbuf();
+    return text.str();
+  }
+  void write_text(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+};
 
 template <class T>
 void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b) {
@@ -167,19 +184,18 @@ TEST_F(ParticleFile, NeedsNoLatticeNode) {
 }
 
 TEST_F(ParticleFile, RefusesALatticeNodeThatIsNoPoint) {
-  ParticleSet odd = awkward_particles(5);
-  odd.info.lattice_node = Vec3(0, std::nan(""), 0);
-  write_particles(folder / "p.vtp", odd, PositionPrecision::double_precision);
-  EXPECT_THAT(message_of(folder / "p.vtp"), HasSubstr("LatticeNode in its field data is no point; give one entry"));
+  const std::string text = written_text();
+  write_text("number.vtp", renamed(renamed(text, "LatticeNode", "Other"), "Spacing", "LatticeNode"));
+  EXPECT_THAT(message_of(folder / "number.vtp"),
+              HasSubstr("LatticeNode in its field data is no point; give one entry"));
 }
 
 TEST_F(ParticleFile, NeedsIdsAndTypes) {
-  write_particles(folder / "p.vtp", awkward_particles(4), PositionPrecision::double_precision);
-  std::ifstream stream(folder / "p.vtp");
-  std::string text((std::istreambuf_iterator<char>(stream)), {});
-  text.replace(text.find("Name=\"Type\""), 11, "Name=\"Kind\"");
-  std::ofstream(folder / "kind.vtp") << text;
-  EXPECT_THAT(message_of(folder / "kind.vtp"), HasSubstr("has no point array Type; particle files need Id and Type"));
+  for (const std::string name : {"Id", "Type"}) {
+    write_text("other.vtp", renamed(written_text(), name, "Other"));
+    EXPECT_THAT(message_of(folder / "other.vtp"),
+                HasSubstr("has no point array " + name + "; particle files need Id and Type"));
+  }
 }
 
 TEST_F(ParticleFile, WorksInFoldersWithSpacesAndLeavesNothingElseBehind) {
