@@ -16,7 +16,7 @@ class Flood {
     up_ = lattice_.axes[2];
     rises_ = scene.domain.gravity[up_] <= 0;
     top_ = rises_ ? -1 : lattice_.count[up_];
-    // The direction (0 to 5) from which the flood reached each node, plus one; 0: not reached; 7: a fluid particle.
+    // The direction (0 to 5) in which the flood reached each node, plus one; 0: not reached; 7: a fluid particle.
     came_.assign(static_cast<std::size_t>(lattice_.nodes()), 0);
     for (std::int64_t node = 0; node < lattice_.nodes(); ++node) {
       if (!is_fluid(node)) continue;
