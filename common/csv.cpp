@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One line's cells, split by libcsv; quotes and the blanks around cells are its business.
+// Splits a line into cells with libcsv, which also treats quotes and the blanks around cells.
 class LineSplitter {
  public:
   LineSplitter() { csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI); }

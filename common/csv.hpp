@@ -15,29 +15,29 @@ struct CsvColumn {
   [[nodiscard]] std::string heading() const;
 };
 
-/// A CSV table as docs/file-formats.md describes it: comma, one heading line with units, `#` comment lines. Cells are
-/// kept as text; numbers are made of them by column name.
+/// A CSV table as described in docs/file-formats.md: commas, one heading line with units, `#` comment lines. Cells are
+/// kept as text; numbers() converts a column.
 class CsvTable {
  public:
   /// An empty table to fill.
   explicit CsvTable(std::vector<CsvColumn> columns) : columns_(std::move(columns)) {}
 
-  /// Throws InputError "file:line: what is wrong; what to do": no such file, no heading, heading named twice, a row
-  /// with too many or too few cells, a quote that is not closed.
+  /// Reads a table. Throws InputError "file:line: what is wrong; what to do" if there is no such file, no heading, a
+  /// heading twice, a row with too many or too few cells, or a quote that is not closed.
   static CsvTable read(const std::filesystem::path& file);
 
-  /// Whole file or none. Throws RunError.
+  /// Writes the table, whole or not at all. Throws RunError.
   void write(const std::filesystem::path& file) const;
 
   [[nodiscard]] const std::vector<CsvColumn>& columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return cells_.size(); }
   [[nodiscard]] bool has(std::string_view name) const;
 
-  /// The column's cells as text. Throws InputError naming the file and its columns when there is none of this name.
+  /// The column's cells as text. Throws InputError naming the file and its columns if it has no column of this name.
   [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
 
-  /// The column's cells as numbers, NaN for an empty cell. Throws InputError with the line of a cell that is no number,
-  /// and when the heading's unit is not `unit`.
+  /// The column's cells as numbers, NaN for an empty cell. Throws InputError if a cell is no number (with its line) or
+  /// if the heading's unit is not `unit`.
   [[nodiscard]] std::vector<double> numbers(std::string_view name, std::string_view unit) const;
 
   /// "file:line" of a row, for messages about its values.
@@ -48,7 +48,7 @@ class CsvTable {
   /// Leading comment lines, without "# ".
   std::vector<std::string> comments;
 
-  /// `cells` has one entry per column.
+  /// Appends a row; `cells` has one entry per column.
   void add_row(std::vector<std::string> cells) { cells_.push_back(std::move(cells)); }
 
  private:
@@ -62,7 +62,7 @@ class CsvTable {
   std::vector<int> lines_;  // of the rows, when read from a file
 };
 
-/// Shortest text that reads back as the same number; empty for NaN.
+/// The shortest text that reads back as the same number; empty for NaN.
 std::string csv_number(double value);
 
 }  // namespace thalweg

@@ -21,8 +21,8 @@ class RunError : public std::runtime_error {
 /// Exit statuses of every Thalweg program.
 enum class Exit : int { done = 0, run_failed = 1, input_wrong = 2, interrupted = 130, terminated = 143 };
 
-/// Runs a program's body and turns exceptions into the one-line message and exit status every Thalweg program promises.
-/// `body` takes nothing and returns Exit (or int); defined in error.cpp so that the wording stays in one place.
+/// Runs a program's body and turns exceptions into the one-line message and exit status that every Thalweg program
+/// promises. `body` takes the arguments of main and returns the exit status.
 int run_program(int (*body)(int, char**), int argc, char** argv) noexcept;
 
 }  // namespace thalweg

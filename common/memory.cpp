@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The number behind `key`, or the first of the file without one; nothing where there is none ("max").
+/// The number after `key`, or with an empty `key` the file's first number; nothing if there is no number ("max").
 std::optional<double> number_in(const fs::path& file, const std::string& key) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
@@ -46,7 +46,7 @@ struct GroupFiles {
 constexpr GroupFiles version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
 constexpr GroupFiles version_2{"memory.max", "memory.current", "inactive_file"};
 
-/// What is left to the control group `path` below `mount` and to those around it.
+/// Memory [bytes] left to the control group `path` below `mount`: the least of its own and that of the groups it is in.
 double left_in_groups(const fs::path& mount, fs::path path, const GroupFiles& files) {
   double least = HUGE_VAL;
   for (;; path = path.parent_path()) {

@@ -6,7 +6,7 @@
 
 namespace thalweg {
 
-/// What a run of this many particles will need [bytes]; estimates for announcements and refusals.
+/// Memory that a run needs [bytes]: estimates, by which a scene is announced or refused.
 struct MemoryEstimate {
   double solver = 0;  // records, neighbour lists and the state of the step on CPU cores
   double gpu = 0;     // the same in a GPU's memory, without a number a pair (Gpu::stores_coefficients)
@@ -14,10 +14,11 @@ struct MemoryEstimate {
   [[nodiscard]] double total() const { return solver + host; }
 };
 
+/// The memory for a run with this many particles; `dimension` is 2 or 3.
 MemoryEstimate estimate_memory(double particles, int dimension);
 
-/// Memory a program can still take [bytes]: what the kernel says is available (MemAvailable), or what is left under the
-/// lowest limit of the control groups this process is in, page cache not counted. `root` is for tests.
+/// Memory that a program can still allocate [bytes]: MemAvailable of the kernel, or less if a control group of this
+/// process has less left below its limit; page cache does not count as used. `root` is for tests.
 double available_memory(const std::filesystem::path& root = "/");
 
 /// "1.5 GB" (powers of 1000).

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,17 +12,18 @@ namespace thalweg {
 
 using Vec3 = Eigen::Vector3d;
 
-/// What a particle is made of. The numbers are part of the file format (docs/file-formats.md).
+/// Material of a particle. The numbers are part of the file format (docs/file-formats.md).
 enum class ParticleType : std::uint8_t { wall = 0, moving_wall = 1, water = 2, sediment = 3 };
 
-/// What a sediment particle is doing; `none` for every other type. Part of the file format.
+/// State of motion of a sediment particle; `none` for every other type. Part of the file format.
 enum class SedimentState : std::uint8_t { none = 0, deposit = 1, bed_load = 2, suspended = 3 };
 
 /// Name of the array (ParticleSet::scalars) with the number of a wall particle's motion, counted from 1 in the order of
-/// the case; 0 for what has none. Absent without moving walls.
+/// the case; 0 for particles without a motion. Absent without moving walls.
 inline constexpr const char* motion_array = "Motion";
 
-/// Facts about a whole particle file, stored as FieldData.
+/// Facts about a whole particle file, stored as FieldData. A program that writes on what it has read copies this
+/// struct, so that every fact passes through snapshots, checkpoints and restarts.
 struct ParticleFileInfo {
   std::string case_name;
   std::string code_version;     // of the program that wrote the file
@@ -31,10 +33,17 @@ struct ParticleFileInfo {
   double smoothing_length = 0;  // [m]
   double time = 0;              // [s], written as TimeValue so that ParaView shows seconds
   std::int64_t step = 0;        // [-]
+  /// [m] One node of the lattice the particles started on, as gencase says it; absent in files of other origin.
+  std::optional<Vec3> lattice_node = std::nullopt;
 };
 
-/// A set of particles on the host: structure of arrays, SI units. Every array is empty or has size() entries;
-/// `id`, `type` and `position` are never empty unless the set is.
+/// A set of particles on the host: structure of arrays, SI units. Every array is empty or has one entry for each of the
+/// size() particles (`scalars` and `doubles`: one or more components each); `id`, `type` and `position` are never empty
+/// unless the set is.
+///
+/// An array that only a model or a program knows belongs into `scalars` or `doubles`: it is written and read under its
+/// key, and no list of names has to be extended. The arrays that are members of their own are listed once, in
+/// common/particle_arrays.hpp.
 struct ParticleSet {
   ParticleFileInfo info;
 
@@ -46,13 +55,14 @@ struct ParticleSet {
   std::vector<float> density;             // [kg/m^3]
   std::vector<float> pressure;            // [Pa]
   std::vector<float> mass;                // [kg] (2-D: [kg/m])
-  std::vector<float> viscosity;           // [Pa s]; only where the model has one per particle
-  std::vector<Eigen::Vector3f>
-      normal;  // walls: unit vector from the wall into the flow; zero elsewhere; empty if unknown
+  std::vector<float> viscosity;           // [Pa s]; only if the model has one per particle
+  std::vector<Eigen::Vector3f> normal;    // walls: unit vector from the wall into the flow, zero elsewhere;
+                                          // empty if unknown
 
-  /// Further per-particle arrays by their file name, 1 or 3 components interleaved (checkpoint state, diagnostics).
-  std::map<std::string, std::vector<float>> scalars;
-  std::map<std::string, std::vector<double>> doubles;
+  /// Further arrays by their name in the file, components interleaved; the number of components is the array's size
+  /// divided by size().
+  std::map<std::string, std::vector<float>> scalars;   // diagnostics
+  std::map<std::string, std::vector<double>> doubles;  // state that a restart needs to the last bit
 
   /// Numbers about the whole set that a restart needs, by their name; FieldData of the file.
   std::map<std::string, std::vector<double>> facts;

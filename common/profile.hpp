@@ -8,9 +8,9 @@
 
 namespace thalweg {
 
-/// Curves along x at one time, the CSV contract "x [m], free_surface [m], bed [m], moving_bed [m]"
-/// (docs/file-formats.md). A column a source does not have is empty; a single missing value is NaN (an empty cell in
-/// the file).
+/// Curves along x at one time, in the CSV format "x [m], free_surface [m], bed [m], moving_bed [m]"
+/// (docs/file-formats.md). A column that a source does not have is empty; a single missing value is NaN (an empty cell
+/// in the file).
 struct Profile {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
@@ -20,7 +20,7 @@ struct Profile {
   std::vector<double> moving_bed;    // [m] elevation of the lower edge of the moving sediment
 };
 
-/// Writes a profile; `comments` become leading "# " lines. Whole file or none. Throws RunError.
+/// Writes a profile, whole or not at all; `comments` become leading "# " lines. Throws RunError.
 void write_profile(const std::filesystem::path& file, const Profile& profile, const std::vector<std::string>& comments);
 
 /// Reads a profile with any subset of the columns (x [m] is needed; unknown columns are an error that names the known
@@ -30,7 +30,7 @@ Profile read_profile(const std::filesystem::path& file);
 /// "t0.250.csv" for 0.25 s; three decimals, up to six where the time has more.
 std::string profile_file_name(double time);
 
-/// The time [s] in a profile's file name, or nothing when the name does not follow profile_file_name.
+/// The time [s] in a profile's file name; nothing if the name is not of the form of profile_file_name.
 std::optional<double> time_of_profile(const std::filesystem::path& file);
 
 }  // namespace thalweg

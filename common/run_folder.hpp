@@ -5,7 +5,7 @@
 
 namespace thalweg {
 
-/// The layout of a run's folder; the one place that knows these names.
+/// The names of the files and folders in a run's folder; they stand nowhere else.
 struct RunFolder {
   std::filesystem::path root;
 

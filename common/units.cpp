@@ -25,13 +25,13 @@ struct Release {
 using Unit = std::unique_ptr<ut_unit, Release>;
 using Converter = std::unique_ptr<cv_converter, Release>;
 
-// UDUNITS keeps its status and its system in globals of its own; one lock around every use makes it safe for threads.
+// UDUNITS keeps its status and its system in global variables, so that every use needs this lock.
 std::mutex& lock() {
   static std::mutex mutex;
   return mutex;
 }
 
-/// The units database of a bundle (tools/bundle), which comes with its own.
+/// The units database that lies beside the programs of a bundle (tools/bundle).
 std::string bundled_database() {
   std::error_code ignored;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
@@ -40,7 +40,7 @@ std::string bundled_database() {
 
 const ut_system* unit_system() {
   static const std::unique_ptr<ut_system, Release> system = [] {
-    ut_set_error_message_handler(ut_ignore);  // our exceptions say it
+    ut_set_error_message_handler(ut_ignore);  // our exceptions carry the message
     std::unique_ptr<ut_system, Release> read(ut_read_xml(nullptr));
     if (!read) read.reset(ut_read_xml(bundled_database().c_str()));
     if (!read) {
@@ -64,7 +64,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// "mm 3" or "3 mm": UDUNITS reads further numbers as a scale, which nobody means.
+// True for a unit with a number in it, such as "mm 3" or "3 mm": UDUNITS would read the number as a factor.
 bool holds_loose_number(std::string_view unit) {
   bool at_start = true;
   for (const char c : unit) {
@@ -114,7 +114,7 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
 std::string format_quantity(double si_value, std::string_view si_unit) {
   struct Ladder {
     std::string_view si_unit;
-    std::string_view zero;                  // the unit of nothing
+    std::string_view zero;                  // the unit for a value of 0
     std::array<std::string_view, 4> units;  // from large to small; the first in which the value is at least 1 is taken
   };
   static constexpr std::array ladders{

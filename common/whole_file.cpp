@@ -36,7 +36,7 @@ void write_whole_file(const fs::path& file, const std::function<void(const fs::p
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), failure);
   if (failure) fail(file, failure.message());
 
-  // The process number keeps two runs that write into one folder apart; the extension stays, since writers look at it.
+  // The process number keeps the files of two runs in one folder apart. The extension stays, because writers read it.
   const std::string name = fmt::format(".{}.{}.part{}", file.stem().string(), getpid(), file.extension().string());
   Temporary temporary{file.parent_path() / name};
   write(temporary.path);

@@ -8,8 +8,8 @@ namespace thalweg::gencase {
 
 enum class Boolean { unite, subtract, intersect };
 
-/// Two surfaces whose combination is no closed two-manifold (they touch in an edge or a corner only), or that intersect
-/// themselves.
+/// Thrown for two surfaces whose combination is no closed two-manifold (they touch only in an edge or a corner), and
+/// for surfaces that intersect themselves. what() says which.
 struct NoManifold : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -12,12 +12,12 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Cuboid = Kernel::Iso_cuboid_3;
 
-// Stands for "without end": far beyond any scene, yet a number whose squares stay finite.
+// Stands for infinity: far beyond any scene, but its squares are still finite numbers.
 constexpr double far_away = 1e30;
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// In 2-D a cuboid stands for the rectangle in which it cuts the plane y = 0.
+/// The cuboid between two corners. In 2-D it is unbounded in y and stands for its cut by the plane y = 0.
 Cuboid cuboid(Vec3 lower, Vec3 upper, int dimension) {
   if (dimension == 2) {
     lower.y() = -far_away;
@@ -26,7 +26,8 @@ Cuboid cuboid(Vec3 lower, Vec3 upper, int dimension) {
   return {to_cgal(lower), to_cgal(upper)};
 }
 
-/// Faces included. Comparing doubles is exact; CGAL's own predicate goes through intervals and is ten times slower.
+/// True if `p` lies in the cuboid or on a face. Comparing doubles is exact; CGAL's own predicate uses intervals and is
+/// ten times slower.
 bool holds(const Cuboid& cuboid, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis)
     if (!(p[axis] >= cuboid.min_coord(axis) && p[axis] <= cuboid.max_coord(axis))) return false;

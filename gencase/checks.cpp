@@ -34,7 +34,7 @@ bool apart(const Case& scene, const Bounds& a, const Vec3& lower, const Vec3& up
   return false;
 }
 
-/// Name of an earlier wall that holds the centre of a shape's box, for messages.
+/// Name of the first earlier wall that contains the centre of the shape's bounding box, for messages.
 std::string wall_around(const std::vector<PlacedShape>& shapes, const PlacedShape& inner) {
   const Bounds box = inner.body->bounds();
   for (const PlacedShape& shape : shapes) {
@@ -52,7 +52,7 @@ std::string wall_around(const std::vector<PlacedShape>& shapes, const PlacedShap
     throw InputError(begin + "it lies outside of the domain; move the shape or enlarge the domain");
   if (fill.claimed > 0 && shape.is_wall() && !shape.is_container())
     throw InputError(begin +
-                     "it touches no room that fluid can flow in, or later shapes take its place; move it, or "
+                     "no fluid can reach it, or later shapes take its place; move it, or "
                      "put it behind them in the case");
   if (fill.claimed > 0)
     throw InputError(begin + "later shapes take its place everywhere; put it behind them in the case, or remove it");
@@ -137,10 +137,10 @@ void warn_of_filling(const Case& scene, const std::vector<PlacedShape>& shapes, 
     if (fill.inside_wall > 0)
       warn(
           fmt::format("{}: {} of its {} lattice points lie in walls and stay wall; open the wall with a shape of role "
-                      "\"empty\" before it if that is not meant",
+                      "\"empty\" before it if this is not intended",
                       begin, fill.inside_wall, fill.inside_wall + fill.claimed));
     if (shapes[s].shape->role == ShapeRole::empty && fill.claimed == 0)
-      warn(begin + ": takes nothing away; no earlier shape reaches into it");
+      warn(begin + ": removes nothing, because no earlier shape overlaps it");
     if (shapes[s].is_wall() && shapes[s].thickness < kernel_support(scene) * (1 - 1e-6))
       warn(
           fmt::format("{}: the wall's thickness of {} is less than the kernel's support of {}; fluid beside it will "

@@ -16,7 +16,7 @@ class Flood {
     up_ = lattice_.axes[2];
     rises_ = scene.domain.gravity[up_] <= 0;
     top_ = rises_ ? -1 : lattice_.count[up_];
-    // Which way the flood came: one of six directions plus one; 0: dry; 7: a fluid particle.
+    // The direction (0 to 5) in which the flood reached each node, plus one; 0: not reached; 7: a fluid particle.
     came_.assign(static_cast<std::size_t>(lattice_.nodes()), 0);
     for (std::int64_t node = 0; node < lattice_.nodes(); ++node) {
       if (!is_fluid(node)) continue;
@@ -27,7 +27,7 @@ class Flood {
   }
 
   std::optional<Leak> run() {
-    for (const std::vector<std::int64_t>& slab : find_shore())
+    for (const std::vector<std::int64_t>& slab : find_boundary_nodes())
       for (const std::int64_t node : slab)
         for (unsigned char direction = 0; direction < 6; ++direction)
           if (auto leak = step(node, lattice_.offset(node), direction)) return leak;
@@ -43,24 +43,25 @@ class Flood {
  private:
   static constexpr unsigned char source = 7;
 
-  /// Fluid nodes beside something that is neither fluid nor wall, in their order, slab by slab.
-  [[nodiscard]] std::vector<std::vector<std::int64_t>> find_shore() const {
+  /// Fluid nodes with a neighbour that is neither fluid nor wall, in the order of the lattice, one list for each slab.
+  [[nodiscard]] std::vector<std::vector<std::int64_t>> find_boundary_nodes() const {
     const std::int64_t length = lattice_.column_length();
     const std::int64_t columns_of_slab = lattice_.count[lattice_.axes[1]];
-    std::vector<std::vector<std::int64_t>> shore(static_cast<std::size_t>(lattice_.count[lattice_.axes[0]]));
-    tbb::parallel_for(std::size_t{0}, shore.size(), [&](std::size_t slab) {
+    std::vector<std::vector<std::int64_t>> nodes(static_cast<std::size_t>(lattice_.count[lattice_.axes[0]]));
+    tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t slab) {
       const std::int64_t begin = static_cast<std::int64_t>(slab) * columns_of_slab;
       for (std::int64_t column = begin; column < begin + columns_of_slab; ++column) {
         Index3 at = lattice_.offset(column * length);
         for (at[up_] = 0; at[up_] < length; ++at[up_]) {
           const std::int64_t node = column * length + at[up_];
-          if (came_[static_cast<std::size_t>(node)] == source && is_on_shore(node, at)) shore[slab].push_back(node);
+          if (came_[static_cast<std::size_t>(node)] == source && borders_free_space(node, at))
+            nodes[slab].push_back(node);
         }
       }
     });
-    return shore;
+    return nodes;
   }
-  [[nodiscard]] bool is_on_shore(std::int64_t node, const Index3& at) const {
+  [[nodiscard]] bool borders_free_space(std::int64_t node, const Index3& at) const {
     std::int64_t stride = 1;
     for (int place = 2; place >= 0; stride *= lattice_.count[lattice_.axes[place--]]) {
       const int axis = lattice_.axes[place];
@@ -138,7 +139,7 @@ class Flood {
 
 std::optional<Leak> find_leak(const Case& scene, const std::vector<PlacedShape>& shapes, const FlowRoom& room,
                               const Filling& filling) {
-  // Fluid without any wall, a falling drop, has nothing to leak from.
+  // Fluid without any wall, such as a falling drop, cannot leak.
   if (std::none_of(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return shape.is_wall(); }))
     return std::nullopt;
   return Flood(scene, shapes, room, filling).run();

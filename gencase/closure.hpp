@@ -8,15 +8,16 @@
 
 namespace thalweg::gencase {
 
-/// A way by which fluid at rest could leave its room, from lattice node to lattice node.
+/// A path from lattice node to lattice node on which fluid at rest could leave the containers.
 struct Leak {
   std::vector<Vec3> path;     // [m] from a fluid particle to the outside
-  bool out_of_rooms = false;  // ends outside of every container; else at the edge of the domain
+  bool out_of_rooms = false;  // true: it ends outside of every container; false: at the edge of the domain
 };
 
-/// Floods the free nodes from the fluid, from node to next node and no higher than the fluid's highest particle, and
-/// says whether the flood leaves the containers or reaches the edge of the domain. Open faces of containers and
-/// periodic directions are no leak. A leak narrower than the spacing is none: no particle passes it.
+/// Searches for a leak: floods the free nodes from the fluid, from each node to its direct neighbours and no higher
+/// than the fluid's highest particle, until the flood leaves the containers or reaches the edge of the domain. Open
+/// faces of containers and periodic directions are no leaks. Gaps narrower than the spacing are not found: no particle
+/// passes them. Returns nothing if there is no leak.
 std::optional<Leak> find_leak(const Case& scene, const std::vector<PlacedShape>& shapes, const FlowRoom& room,
                               const Filling& filling);
 

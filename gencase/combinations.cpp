@@ -2,12 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "gencase/booleans.hpp"
 #include "gencase/nearest_surface.hpp"
 
 namespace thalweg::gencase {
 namespace {
+
+Spans combined(const Spans& a, const Spans& b, Boolean how) {
+  switch (how) {
+    case Boolean::unite:
+      return unite(a, b);
+    case Boolean::subtract:
+      return subtract(a, b);
+    case Boolean::intersect:
+      return intersect(a, b);
+  }
+  throw std::logic_error("an unknown way of combining spans");
+}
 
 Bounds hull(const Bounds& a, const Bounds& b) { return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)}; }
 
@@ -17,11 +29,8 @@ class Combination : public Region {
   [[nodiscard]] std::optional<double> measure() const override { return std::nullopt; }
   [[nodiscard]] Spans cut(const Line& line) const override {
     Spans spans = parts_.front()->cut(line);
-    for (auto part = parts_.begin() + 1; part != parts_.end(); ++part) {
-      const Spans other = (*part)->cut(line);
-      spans = how_ == Boolean::unite ? unite(spans, other)
-                                     : (how_ == Boolean::subtract ? subtract(spans, other) : intersect(spans, other));
-    }
+    for (auto part = parts_.begin() + 1; part != parts_.end(); ++part)
+      spans = combined(spans, (*part)->cut(line), how_);
     return spans;
   }
   [[nodiscard]] std::optional<Triangles> triangles(double deviation) const override {
@@ -80,7 +89,7 @@ class Intersection : public Combination {
       result.lower = result.lower.cwiseMax(other.lower);
       result.upper = result.upper.cwiseMin(other.upper);
     }
-    result.upper = result.upper.cwiseMax(result.lower);  // parts apart: an empty box, not an inverted one
+    result.upper = result.upper.cwiseMax(result.lower);  // parts without overlap: an empty box, not an inverted one
     return result;
   }
 };
@@ -112,7 +121,7 @@ class Shell : public Region {
       const auto skin = search_->find(line.point(at), HUGE_VAL);
       if (!skin) break;
       if (skin->distance < thickness_) near.push_back({at, at});
-      // No nearer than this many nodes can the distance fall below the thickness.
+      // The distance changes by at most a step from node to node, so these nodes lie beyond the thickness.
       const double idle = (skin->distance - thickness_) / line.step;
       node += std::max<std::int64_t>(1, static_cast<std::int64_t>(idle));
     }
@@ -137,6 +146,17 @@ RegionPointer make_difference(std::vector<RegionPointer> parts) {
 }
 RegionPointer make_intersection(std::vector<RegionPointer> parts) {
   return std::make_shared<Intersection>(std::move(parts));
+}
+RegionPointer make_combination(std::vector<RegionPointer> parts, Boolean how) {
+  switch (how) {
+    case Boolean::unite:
+      return make_union(std::move(parts));
+    case Boolean::subtract:
+      return make_difference(std::move(parts));
+    case Boolean::intersect:
+      return make_intersection(std::move(parts));
+  }
+  throw std::logic_error("an unknown way of combining regions");
 }
 RegionPointer make_shell(RegionPointer inside, double thickness, int dimension) {
   return std::make_shared<Shell>(std::move(inside), thickness, dimension);

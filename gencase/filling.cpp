@@ -12,6 +12,7 @@
 namespace thalweg::gencase {
 namespace {
 
+/// The shift [m] at which membership is tested, so that nodes on faces belong to one side.
 Vec3 tie_break(const Lattice& lattice) {
   const double nudge = 1e-6 * lattice.spacing;
   return {nudge, lattice.dimension == 2 ? 0 : nudge, nudge};
@@ -25,7 +26,7 @@ std::int64_t column_of(const Lattice& lattice, const ColumnRange& range, std::in
   return (range.begin[slow] + n / width) * lattice.count[middle] + range.begin[middle] + n % width;
 }
 
-/// Gives the nodes of one column within a shape to it.
+/// Gives the nodes of one column that lie in shape `s` to it.
 void claim_column(const std::vector<PlacedShape>& shapes, std::size_t s, std::span<Label> column, const Line& line,
                   ShapeFill& fill) {
   const PlacedShape& shape = shapes[s];
@@ -47,20 +48,21 @@ void claim_column(const std::vector<PlacedShape>& shapes, std::size_t s, std::sp
   });
 }
 
-/// Normals and distances of one column's wall nodes, appended to `walls`; nodes too deep become core.
+/// Appends normals and distances of one column's wall nodes to `walls`; nodes that are too deep become `solid_core`.
 void settle_column(const std::vector<PlacedShape>& shapes, const std::vector<const SkinSearch*>& skins,
                    const Lattice& lattice, std::int64_t column, std::span<Label> labels,
                    std::vector<WallPoint>& walls) {
   // A wall particle exactly on the skin gets this distance, so that divisions by it stay finite.
   const double least = 1e-6 * lattice.spacing;
-  double farther_than = 0;  // no node of the column before the current one was known to be nearer to the skin
+  // Lower bound of the node's distance to the skin: the last known distance, less the way from there.
+  double farther_than = 0;
   const SkinSearch* skin = nullptr;
   for (std::size_t node = 0; node < labels.size(); ++node, farther_than -= lattice.spacing) {
     Label& label = labels[node];
     if (label == nothing || !shapes[label - 1U].is_wall()) continue;
     const PlacedShape& shape = shapes[label - 1U];
     if (skin != skins[label - 1U]) skin = skins[label - 1U], farther_than = 0;
-    // A container's layers are all kept: they are as deep as asked for by construction, deeper in corners.
+    // All layers of a container are kept: it was made as thick as wanted, and is thicker at its corners.
     const double reach = shape.is_container() ? std::numeric_limits<double>::infinity() : shape.thickness;
     if (farther_than >= reach) {
       label = solid_core;
@@ -121,7 +123,7 @@ void settle_walls(const std::vector<PlacedShape>& shapes, const std::vector<cons
   const Lattice& lattice = filling.lattice;
   const bool any = std::any_of(shapes.begin(), shapes.end(), [](const PlacedShape& shape) { return shape.is_wall(); });
   if (!any) return;
-  // Every slab of columns has a list of its own, so that the order does not depend on who came first.
+  // Every slab of columns has its own list, so that the order does not depend on the order of the threads.
   const std::int64_t slabs = lattice.count[lattice.axes[0]];
   const std::int64_t columns_of_slab = lattice.count[lattice.axes[1]];
   std::vector<std::vector<WallPoint>> walls(static_cast<std::size_t>(slabs));

@@ -14,8 +14,9 @@ bool overlap(const Bounds& a, const Bounds& b) {
   return (a.lower.array() < b.upper.array()).all() && (b.lower.array() < a.upper.array()).all();
 }
 
-/// Combines, and where bodies touch without overlapping, so that the result would be no surface, moves the second one
-/// by `nudge` [m], which nobody can see, in one direction or another. Throws NoManifold when that does not help.
+/// Combines two surfaces. If they touch without overlapping, so that the result would be no surface, moves the second
+/// one by `nudge` [m] in one of four directions and tries again; `nudge` is far below the resolution of the scene.
+/// Throws NoManifold if none of them helps.
 Triangles combine_nudged(const Triangles& a, const Triangles& b, Boolean how, double nudge) {
   try {
     return combine(a, b, how);
@@ -79,7 +80,8 @@ std::optional<Triangles> FlowRoom::triangles(const Bounds& around, double deviat
     flow = combine_nudged(flow, clipped(*inside, around), Boolean::unite, 1e-3 * deviation);
   }
   for (const Layer& layer : layers_) {
-    // A container's wall lies around its own room and matters to what reaches through it only.
+    // A container's wall bounds its own room, which is in `flow` already. It matters only to openings and other
+    // containers that overlap it; such walls have no triangles.
     if (layer.room != nullptr) {
       const auto reaches_through = [&](const Layer& other) {
         const bool earlier_opening = !other.solid && &other < &layer;

@@ -4,40 +4,40 @@
 
 namespace thalweg::gencase {
 
-/// Where there is no wall and fluid may be: inside the containers and openings (everywhere if there are none) and
-/// outside everything solid. Its skin is what walls turn towards the flow; what the walls hide from it (the foot of a
-/// pier sunk into the floor) is no skin.
+/// The space in which fluid may be: inside the containers and openings (everywhere if there are none) and outside of
+/// everything solid. Its skin is the part of the walls that faces the flow. Wall surfaces that other walls cover, such
+/// as the foot of a pier sunk into the floor, are no part of it.
 class FlowRoom : public PointSet {
  public:
-  /// A container: its inside and its wall; the wall takes the place of earlier openings.
+  /// Adds a container: its inside and its wall. The wall closes earlier openings in its place.
   void add_container(RegionPointer room, RegionPointer wall);
-  /// A solid; it takes the place of earlier openings.
+  /// Adds a solid. It closes earlier openings in its place.
   void add_solid(RegionPointer solid);
-  /// What an "empty" shape opens in earlier walls.
+  /// Adds an opening that an "empty" shape makes in earlier walls.
   void add_opening(RegionPointer opening);
 
   [[nodiscard]] bool contains(const Vec3& point) const override;
   void append_surfaces(std::vector<const Surface*>& surfaces) const override;
-  /// Whether `point` lies inside a container or opening, or there is no container at all.
+  /// True if `point` lies inside a container or opening, or if there is no container.
   [[nodiscard]] bool inside_rooms(const Vec3& point) const;
-  /// Whether `point` lies inside a container, or beyond an open face of one.
+  /// True if `point` lies inside a container or beyond an open face of one.
   [[nodiscard]] bool inside_containers(const Vec3& point) const;
   [[nodiscard]] bool has_rooms() const { return !rooms_.empty(); }
   /// The parts of a line where fluid may be.
   [[nodiscard]] Spans cut(const Line& line) const;
-  /// Around all containers; only where there are some.
+  /// Bounds of all containers. Needs has_rooms().
   [[nodiscard]] Bounds bounds_of_rooms() const;
-  /// Whether a wall is known by its triangles.
+  /// True if a wall is given by triangles.
   [[nodiscard]] bool has_meshes() const;
-  /// The skin of the room within `around` as triangles that leave it by at most `deviation` [m], facing away from the
-  /// fluid; nothing if some wall has no triangles. Throws NoManifold.
+  /// The skin of the room within `around` as triangles that deviate from it by at most `deviation` [m] and face away
+  /// from the fluid; nothing if a wall cannot be given as triangles. Throws NoManifold.
   [[nodiscard]] std::optional<Triangles> triangles(const Bounds& around, double deviation) const;
 
  private:
   struct Layer {
     RegionPointer region;
     bool solid;
-    RegionPointer room;  // of a container's wall
+    RegionPointer room;  // the inside, if the layer is a container's wall
   };
   std::vector<RegionPointer> rooms_;
   std::vector<Layer> layers_;  // in the order of the case

@@ -15,7 +15,7 @@ class CutSkin : public SkinSearch {
   CutSkin(Triangles surface, double spacing) : flow_(make_polyhedron(std::move(surface))), spacing_(spacing) {}
   [[nodiscard]] std::optional<SurfacePoint> find(const Vec3& from, double reach) const override {
     std::optional<SurfacePoint> found = flow_->own_search()->find(from, reach);
-    // On the skin the surface's own normal counts, which leads out of the flow.
+    // On the skin itself the direction is the surface's normal, which points out of the flow.
     if (found && found->distance <= 1e-9 * spacing_) found->direction = -found->direction;
     return found;
   }
@@ -30,12 +30,12 @@ class CutSkin : public SkinSearch {
 std::unique_ptr<SkinSearch> make_flow_skin(const FlowRoom& room, const Bounds& around, double spacing, int dimension,
                                            const Notes& notes) {
   if (dimension == 3 && room.has_meshes()) {
-    constexpr double deviation = 0.01;  // of the spacing, by which triangles may leave curved walls
+    constexpr double deviation = 0.01;  // [spacings] of triangles from curved walls
     try {
       if (auto surface = room.triangles(around, deviation * spacing); surface && !surface->corners.empty())
         return std::make_unique<CutSkin>(std::move(*surface), spacing);
     } catch (const NoManifold& error) {
-      notes.say(fmt::format("walls touch without overlapping ({}): normals near the contact are those of one of them",
+      notes.say(fmt::format("walls touch without overlapping ({}): near the contact the normals are those of one wall",
                             error.what()));
     }
   }

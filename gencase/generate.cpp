@@ -21,8 +21,8 @@
 namespace thalweg::gencase {
 namespace {
 
-// Scenes of more lattice nodes than this are tried on a coarse lattice first, so that a spacing mistyped by a factor of
-// a thousand is refused at once.
+// Scenes with more lattice nodes than this are first tried on a coarse lattice, so that a spacing mistyped by a factor
+// of a thousand is refused at once.
 constexpr double nodes_to_probe = 2e7;
 constexpr double nodes_of_probe = 1e6;
 
@@ -35,7 +35,8 @@ constexpr double nodes_of_probe = 1e6;
                   format_bytes(limit), format_quantity(fits, "m")));
 }
 
-/// Refuses a scene whose fluid alone, or whose lattice, cannot fit; the exact count follows from the filling.
+/// Refuses a scene whose fluid or whose lattice needs more memory than `limit` [bytes], from the number of fluid nodes
+/// on a coarse lattice. The exact number is checked after the filling.
 void check_size_before_filling(const Case& scene, const std::vector<PlacedShape>& shapes, const Lattice& lattice,
                                double limit) {
   const auto nodes = static_cast<double>(lattice.nodes());
@@ -51,7 +52,7 @@ void check_size_before_filling(const Case& scene, const std::vector<PlacedShape>
   if (needed > limit) refuse_size(scene, fluid, needed, limit);
 }
 
-/// Gravity along the lattice's columns [m/s^2], signed. Says what becomes of the rest.
+/// Gravity along the lattice's columns [m/s^2], signed. Says so if gravity does not point along -z.
 double column_gravity(const Case& scene, const Notes& notes) {
   const Vec3& gravity = scene.domain.gravity;
   const int axis = column_axis(scene);
@@ -98,7 +99,7 @@ ParticleSet allocate(const Case& resolved, const std::vector<PlacedShape>& shape
   return set;
 }
 
-/// Counted from 1; 0 without.
+/// Number of the shape's motion, counted from 1 in the order of the case; 0 without a motion.
 float number_of_motion(const Case& scene, const Shape& shape) {
   if (shape.motion.empty()) return 0;
   const auto found = std::find_if(scene.motions.begin(), scene.motions.end(),
@@ -106,7 +107,7 @@ float number_of_motion(const Case& scene, const Shape& shape) {
   return static_cast<float>(found - scene.motions.begin() + 1);
 }
 
-/// One particle for every labelled node, column by column: ids follow the columns, so that neighbours in space are
+/// One particle for every node of a shape, column by column: ids follow the columns, so that neighbours in space are
 /// mostly neighbours in memory.
 ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>& shapes, const Filling& filling,
                            const HydrostaticStart& start, Summary& summary) {
@@ -146,6 +147,15 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
   return set;
 }
 
+/// The lattice node that the particle file names. It is the place of the first fixed wall particle, which readers of
+/// files without the fact take, so that both give the same numbers to the last bit; without fixed walls, the node at
+/// the lattice's anchor.
+Vec3 named_node(const ParticleSet& particles, const Lattice& lattice) {
+  const auto wall = std::find(particles.type.begin(), particles.type.end(), ParticleType::wall);
+  if (wall != particles.type.end()) return particles.position[static_cast<std::size_t>(wall - particles.type.begin())];
+  return lattice.position({-lattice.first[0], -lattice.first[1], -lattice.first[2]});
+}
+
 std::vector<ShapeSummary> summarise(const std::vector<PlacedShape>& shapes, const Filling& filling) {
   std::vector<ShapeSummary> summaries;
   for (std::size_t s = 0; s < shapes.size(); ++s) {
@@ -158,8 +168,9 @@ std::vector<ShapeSummary> summarise(const std::vector<PlacedShape>& shapes, cons
   return summaries;
 }
 
-/// Skins of walls. What stands still has one as if nothing moved, lest it had holes where something has gone; what
-/// moves together has one of its own, as it may come to face the flow anywhere.
+/// Searches of the flow's skin: one for fixed walls, one for the walls of each motion. Fixed walls are searched as if
+/// there were no moving ones, because these leave them bare when they move; the walls of a motion are searched alone,
+/// because all of their surface may come to face the flow.
 struct Skins {
   std::map<std::string, FlowRoom> rooms;  // by motion
   std::map<std::string, std::unique_ptr<SkinSearch>> searches;
@@ -177,7 +188,7 @@ struct Skins {
   }
 };
 
-/// Where walls and what they see lie.
+/// Bounds that contain all walls and all skin that may be the nearest to one of them.
 Bounds around(const Case& scene, const Lattice& lattice) {
   const Index3 last{lattice.count[0] - 1, lattice.count[1] - 1, lattice.count[2] - 1};
   const Vec3 margin = Vec3::Constant(10 * kernel_support(scene));
@@ -188,16 +199,29 @@ Bounds around(const Case& scene, const Lattice& lattice) {
 void report_closure(const Case& scene, const std::vector<PlacedShape>& shapes, const FlowRoom& room,
                     const Filling& filling, const Notes& notes) {
   const std::optional<Leak> leak = find_leak(scene, shapes, room, filling);
-  if (!leak) return notes.say("closure: fluid at rest touches the outside nowhere");
+  if (!leak) return notes.say("closure: no leak, fluid at rest stays inside");
   const Vec3& end = leak->path.back();
   const std::string picture = notes.draw("leak", {"Leak", {leak->path}, {1}});
   notes.warn(
-      fmt::format("{}: fluid at rest can leave {} at x = {}, y = {}, z = {}, {} spacings from where it stands; close "
-                  "the wall there, "
+      fmt::format("{}: fluid at rest can leave {} at x = {}, y = {}, z = {}, {} spacings away; close the wall there, "
                   "or open that face on purpose{}",
                   scene.file.string(), leak->out_of_rooms ? "the containers" : "the domain",
                   format_quantity(end.x(), "m"), format_quantity(end.y(), "m"), format_quantity(end.z(), "m"),
-                  leak->path.size() - 1, picture.empty() ? "" : "; the way is in " + picture));
+                  leak->path.size() - 1, picture.empty() ? "" : "; the path is in " + picture));
+}
+
+/// Finds the maximum speed and the sound speed from the fluid's height. Warns of a maximum speed below that of waves.
+void resolve_speeds(Generated& result, const Notes& notes) {
+  Case& resolved = result.resolved;
+  Summary& summary = result.summary;
+  resolved.numerics.maximum_speed = maximum_speed(resolved, summary.fluid_height);
+  summary.sound_speed = sound_speed(resolved, summary.fluid_height);
+  const double wave_speed = std::sqrt(resolved.domain.gravity.norm() * summary.fluid_height);
+  if (resolved.numerics.maximum_speed < wave_speed * (1 - 1e-9))
+    notes.warn(
+        fmt::format("{}: numerics.maximum_speed of {:.4g} m/s is below the fluid's sqrt(g H) of {:.4g} m/s; "
+                    "its density will vary by more than a percent",
+                    resolved.file.string(), resolved.numerics.maximum_speed, wave_speed));
 }
 
 }  // namespace
@@ -232,15 +256,9 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   Summary& summary = result.summary;
   summary.lattice_nodes = lattice.nodes();
   summary.fluid_height = start.fluid_height();
-  result.resolved.numerics.maximum_speed = maximum_speed(scene, summary.fluid_height);
-  summary.sound_speed = sound_speed(result.resolved, summary.fluid_height);
-  const double wave_speed = std::sqrt(scene.domain.gravity.norm() * summary.fluid_height);
-  if (result.resolved.numerics.maximum_speed < wave_speed * (1 - 1e-9))
-    notes.warn(
-        fmt::format("{}: numerics.maximum_speed of {:.4g} m/s is below the fluid's sqrt(g H) of {:.4g} m/s; "
-                    "its density will vary by more than a percent",
-                    scene.file.string(), result.resolved.numerics.maximum_speed, wave_speed));
+  resolve_speeds(result, notes);
   result.particles = make_particles(result.resolved, shapes, filling, start, summary);
+  result.particles.info.lattice_node = named_node(result.particles, lattice);
   if (scene.gencase.relaxation > 0) {
     const auto skin = make_flow_skin(room, around(scene, lattice), scene.numerics.spacing, scene.info.dimension, notes);
     const Relaxation relaxed =
@@ -250,10 +268,14 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
         "farthest move {}",
         relaxed.sweeps, relaxed.particles, relaxed.before, relaxed.after, format_quantity(relaxed.farthest, "m")));
   }
-  if (scene.model.seepage == SeepageModel::mixture) {
-    const std::size_t added =
-        split_into_mixture(scene, shapes, filling, gravity, summary.sound_speed, result.particles);
-    notes.say(fmt::format("{} particles of pore water in the places of the grains (model.seepage)", added));
+  switch (scene.model.seepage) {
+    case SeepageModel::off:
+      break;
+    case SeepageModel::mixture:
+      const std::size_t added =
+          split_into_mixture(scene, shapes, filling, gravity, summary.sound_speed, result.particles);
+      notes.say(fmt::format("{} particles of pore water in the places of the grains (model.seepage)", added));
+      break;
   }
   summary.shapes = summarise(shapes, filling);
   return result;

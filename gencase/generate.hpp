@@ -13,15 +13,15 @@
 
 namespace thalweg::gencase {
 
-/// How a fluid shape was filled.
+/// Particles and volume of one shape. The volumes are 0 for shapes that are not fluid.
 struct ShapeSummary {
   std::string name;
   std::int64_t particles = 0;
-  double filled = 0;  // [m^3] (2-D: [m^2]) of the nodes it got when its turn came
+  double filled = 0;  // [m^3] (2-D: [m^2]) of the lattice nodes in the shape
   double exact = 0;   // [m^3] ([m^2]) of the shape; 0: no closed form
 };
 
-/// What stdout says about a generated scene.
+/// Figures of a generated scene, for the report on stdout.
 struct Summary {
   std::vector<ShapeSummary> shapes;
   double fluid_height = 0;      // [m]
@@ -40,12 +40,12 @@ struct Generated {
 struct GenerateOptions {
   double memory_limit = available_memory();  // [bytes]
   Notes notes;
-  Progress::Show progress;  // draws how far a long filling is
+  Progress::Show progress;  // draws the progress of a long filling
 };
 
-/// Fills the scene with particles at hydrostatic rest. Announces count and memory before it allocates the particles.
-/// Throws InputError naming shape, line, cause and cure: shapes without particles, fluid outside the domain or the
-/// container, more memory than `memory_limit`, geometry that place_shapes refuses.
+/// Fills the scene with particles at hydrostatic rest. Says their number and memory before it allocates them. Throws
+/// InputError naming shape, line, cause and cure: shapes without particles, fluid outside of the domain or the
+/// containers, more memory than `memory_limit`, geometry that place_shapes refuses.
 Generated generate(const Case& scene, const GenerateOptions& options = {});
 
 }  // namespace thalweg::gencase

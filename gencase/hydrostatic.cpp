@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/water/equation_of_state.hpp"
+
 namespace thalweg::gencase {
 
 double hydrostatic_density(double density_at_rest, double pressure, double sound_speed) {
-  return density_at_rest * std::pow(1 + 7 * pressure / (density_at_rest * sound_speed * sound_speed), 1.0 / 7.0);
+  return density_at_rest * (1 + tait_excess(pressure, tait_stiffness(density_at_rest, sound_speed)));
 }
 
 HydrostaticStart::HydrostaticStart(const Filling& filling, const std::vector<PlacedShape>& shapes, double gravity)
@@ -79,10 +81,11 @@ void HydrostaticStart::spread(std::deque<std::size_t> known) {
     const auto reach = [&](std::int64_t column) {
       for (std::size_t r = first_run_[column]; r < first_run_[column + 1]; ++r) {
         Run& to = runs_[r];
-        const std::int64_t level = std::max(from.top, to.top);  // the highest they share
+        const std::int64_t level = std::max(from.top, to.top);  // the highest node that both have
         if (to.known || level > std::min(from.bottom, to.bottom)) continue;
         const double pressure = from.surface_pressure + weight_above_centre(from, level);
-        // Fluid held up by suction would start in tension, which a free-surface method cannot carry.
+        // Fluid above the free surface would start with a negative pressure, which a free-surface method cannot keep
+        // up.
         to.surface_pressure = std::max(0.0, pressure - weight_above_centre(to, level));
         to.known = true;
         known.push_back(r);

@@ -8,32 +8,32 @@
 
 namespace thalweg::gencase {
 
-/// Density [kg/m^3] at which Tait's equation gives `pressure` [Pa]:
-///   p = (rho0 c^2 / 7) [(rho / rho0)^7 - 1]   =>   rho = rho0 (1 + 7 p / (rho0 c^2))^(1/7).
+/// Density [kg/m^3] at which the solver's equation of state (physics/water/equation_of_state.hpp) gives `pressure`
+/// [Pa].
 double hydrostatic_density(double density_at_rest, double pressure, double sound_speed);
 
-/// Pressure of fluid at rest on a filled lattice: along each column of nodes the weights above a node add up from the
-/// free surface down. Where a wall covers the fluid (under a pipe), the pressure is that of the nearest fluid at the
-/// same height that is connected to it; fluid enclosed all around starts from zero at its highest point.
+/// Pressure of fluid at rest on a filled lattice. Along each column of nodes it is the weight of the fluid above,
+/// summed from the free surface down. Fluid under a wall, such as a pipe, gets the pressure of the nearest connected
+/// fluid at the same height. Fluid that walls enclose on all sides starts from zero at its highest point.
 class HydrostaticStart {
  public:
   /// `gravity` [m/s^2] along the lattice's columns, signed; 0 makes every pressure 0.
   HydrostaticStart(const Filling& filling, const std::vector<PlacedShape>& shapes, double gravity);
 
-  /// Fills in the pressures [Pa] of one column, 0 where there is no fluid. `pressures` has one entry per node.
+  /// Writes the pressures [Pa] of one column, 0 at nodes without fluid. `pressures` has one entry per node.
   void column(std::int64_t column, std::span<double> pressures) const;
 
   /// Height of the fluid along the columns from its lowest to its highest point [m].
   [[nodiscard]] double fluid_height() const;
 
  private:
-  /// Fluid nodes of one column without a gap; `top` and `bottom` count downward.
+  /// Consecutive fluid nodes of one column; `top` and `bottom` count downward.
   struct Run {
     std::int64_t column;
     std::int64_t top;
     std::int64_t bottom;          // last node
     double surface_pressure = 0;  // [Pa] at the upper face of the top node
-    bool known = false;
+    bool known = false;           // true once surface_pressure is set
   };
 
   [[nodiscard]] Label label(std::int64_t column, std::int64_t below_top) const;
@@ -43,8 +43,8 @@ class HydrostaticStart {
     return fluid_density_[label(column, below_top)] > 0;
   }
   void find_runs();
-  void connect_runs();
-  void spread(std::deque<std::size_t> known);
+  void connect_runs();                         // finds the pressure of covered runs
+  void spread(std::deque<std::size_t> known);  // from known runs to connected ones
 
   const Filling& filling_;
   double gravity_;

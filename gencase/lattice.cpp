@@ -9,7 +9,7 @@
 namespace thalweg::gencase {
 namespace {
 
-// Share of the spacing by which geometry may miss the lattice unnoticed.
+// Distance from the lattice, in spacings, up to which faces and periods count as lying on it.
 constexpr double tolerated_offset = 0.01;
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace thalweg::gencase {
 
 using Index3 = std::array<std::int64_t, 3>;
 
-/// The points anchor + (i + 1/2) spacing that a scene can fill, arranged in columns along gravity. In 2-D the y index
-/// has one value and y is 0.
+/// The points anchor + (i + 1/2) spacing at which particles of a scene may stand, arranged in columns along gravity. In
+/// 2-D the y index has one value and y is 0.
 struct Lattice {
   Vec3 anchor = Vec3::Zero();  // [m]
   double spacing = 0;          // [m]
@@ -49,16 +49,16 @@ struct ColumnRange {
 /// The columns that pass within a spacing of `bounds`.
 ColumnRange columns_within(const Lattice& lattice, const Bounds& bounds);
 
-/// The nodes of a column, each moved by `nudge` [m].
+/// The line through the nodes of a column, moved by `nudge` [m].
 Line line_of(const Lattice& lattice, std::int64_t column, const Vec3& nudge);
 
-/// The lattice over all of `shapes`, anchored as the case says (by default at the lower corner of the first container,
-/// so that flat walls stand half a spacing from the first particles). `spacing` [m] may differ from the case's (for
-/// estimates).
+/// The lattice over all of `shapes`, anchored as the case says; by default at the lower corner of the first container,
+/// so that the first particles stand half a spacing from flat walls. `spacing` [m] may differ from the case's, for
+/// estimates. Throws InputError if the shapes stretch over too many spacings.
 Lattice make_lattice(const Case& scene, const std::vector<PlacedShape>& shapes, double spacing);
 
-/// Refuses a periodic domain whose length is not a whole number of spacings: the lattice would not close. Throws
-/// InputError.
+/// Throws InputError if the length of the domain in a periodic direction is not a whole number of spacings: the lattice
+/// would not continue across the period.
 void check_periods(const Case& scene);
 
 /// One line for each box face that lies more than a hundredth of the spacing off the lattice, saying by how much.

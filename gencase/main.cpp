@@ -20,7 +20,7 @@ namespace {
 using thalweg::Case;
 namespace fs = std::filesystem;
 
-/// Draws on one line of a terminal; a log file gets nothing.
+/// Draws a progress bar on one line of a terminal. It is not used if stderr is a file.
 void draw_bar(const std::string& what, double share) {
   constexpr int width = 30;
   const int done = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
@@ -33,7 +33,7 @@ thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check
   thalweg::gencase::GenerateOptions options;
   options.notes.say = [](const std::string& line) {
     fmt::print("{}\n", line);
-    std::fflush(stdout);  // the count is to be seen before the memory is taken
+    std::fflush(stdout);  // the number of particles is shown before their memory is allocated
   };
   options.notes.warn = [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); };
   if (!check)

@@ -27,7 +27,7 @@ enum Kind { open_edge = 1, crowded_edge = 2, opposed_edge = 3, degenerate_face =
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// How often each edge is used from its lower to its higher corner, and back.
+/// Number of faces that use an edge from its lower to its higher corner, and in the other direction.
 struct EdgeUse {
   int forth = 0;
   int back = 0;
@@ -48,7 +48,7 @@ Edges edges_of(const Triangles& surface) {
   return edges;
 }
 
-/// Chains open edges into loops and counts them.
+/// Chains open edges into loops and adds each loop as a hole.
 void collect_holes(const Triangles& surface, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& open,
                    MeshDefects& defects) {
   std::multimap<std::uint32_t, std::uint32_t> next;
@@ -194,7 +194,7 @@ Thickness thickness_of(const Triangles& surface, double limit) {
         tree.first_intersection(inward, [&](const Facets::const_iterator& other) { return &*other == &facet; });
     if (!hit) continue;
     const auto* point = boost::get<Kernel::Point_3>(&hit->first);
-    // A face that is not met head-on is the neighbour beyond an edge, not the opposite side.
+    // A face that does not look the other way is the neighbour beyond an edge, not the opposite side.
     if (point == nullptr || normal_of(*hit->second).dot(normal) > -0.7) continue;
     const double thickness = std::sqrt(CGAL::squared_distance(*point, middle));
     if (thickness < limit) thin_area += own_area;

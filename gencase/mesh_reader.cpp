@@ -32,8 +32,8 @@ std::string contents_of(std::istream& from) {
   return text.str();
 }
 
-/// Refuses what announces more elements than its bytes can hold, before a reader takes memory for them. An element of
-/// `least` bytes is the smallest the format knows.
+/// Refuses a file that announces more elements than its bytes can hold, before a reader allocates memory for them.
+/// `least` [bytes] is the size of the smallest element of the format.
 void check_count(const std::string& what, double announced, double bytes, double least) {
   if (announced >= 0 && announced * least <= bytes) return;
   throw InputError(fmt::format("announces {:.6g} {} and has only {} bytes: it is cut off or damaged; export it again",
@@ -70,13 +70,13 @@ std::vector<std::vector<std::string>> lines_of_words(const std::string& bytes) {
   return lines;
 }
 
-/// What CGAL's reader shall read of an OFF file: fuzzing found that it takes memory for what a header announces, that
-/// it sees another header than one with its comment close to the word, and that it looks for the colours and normals of
-/// all points where the first one has them, beyond the end of a shorter line. So it gets the header as checked here,
-/// and of each point no more than its place.
+/// The text of an OFF file as CGAL's reader may read it: the header as checked here, and of each point only its
+/// coordinates. Fuzzing found three faults of that reader: it allocates memory for whatever number a header announces;
+/// it misreads a header with a comment close to the word; and if the first point has colours and normals, it looks for
+/// them in all points, beyond the end of shorter lines.
 std::string checked_off(const std::string& bytes) {
   const auto lines = lines_of_words(bytes);
-  // The word, then the counts of points, faces and (often left away) edges, on the same line or another one.
+  // The word, then the numbers of points, faces and edges, on one line or several. The edges are often left away.
   std::vector<std::string> header;
   std::size_t line = 0;
   for (; header.size() < 3 && line < lines.size(); ++line)
@@ -94,7 +94,7 @@ std::string checked_off(const std::string& bytes) {
     const auto& words = lines[line];
     const std::size_t kept = line < faces ? std::min<std::size_t>(3, words.size()) : words.size();
     plain += fmt::format("{}\n", fmt::join(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(kept), " "));
-    // Behind the points stand numbers of corners, their indices and colours: none is larger than the file.
+    // The lines after the points hold numbers of corners, indices and colours: none is larger than the file's size.
     for (std::size_t i = 0; line >= faces && i < words.size(); ++i) {
       const std::string digits = words[i].substr(0, words[i].find_first_not_of("0123456789"));
       if (!digits.empty()) check_count("corners", is_count(digits) ? std::stod(digits) : HUGE_VAL, size, 1);
@@ -106,6 +106,25 @@ std::string checked_off(const std::string& bytes) {
 void check_obj(const std::string& bytes) {
   if (bytes.starts_with("f ") || bytes.find("\nf ") != std::string::npos) return;
   throw InputError("holds no line of a face (\"f 1 2 3\"); export the surface, not points alone");
+}
+
+/// The bytes as CGAL's reader may read them. Throws InputError for those that are not of this format or damaged.
+std::string checked(std::string bytes, MeshFormat format) {
+  if (bytes.empty()) throw InputError("is empty; export it again");
+  switch (format) {
+    case MeshFormat::stl:
+      check_stl(bytes);
+      break;
+    case MeshFormat::obj:
+      check_obj(bytes);
+      break;
+    case MeshFormat::off:
+      return checked_off(bytes);
+    case MeshFormat::ply:
+      check_ply(bytes);
+      break;
+  }
+  return bytes;
 }
 
 const char* name_of(MeshFormat format) {
@@ -122,7 +141,7 @@ const char* name_of(MeshFormat format) {
   return "";
 }
 
-/// CGAL's readers report the kind of a damage nowhere; what their caller can say is in the checks before and after.
+/// False if the bytes cannot be read. CGAL's readers do not tell the reason; the checks before and after find most.
 bool read_with_cgal(const std::string& bytes, MeshFormat format, Points& points, Polygons& polygons) {
   std::istringstream from(bytes);
   const auto quiet = CGAL::parameters::verbose(false);
@@ -153,7 +172,8 @@ void check_soup(const PolygonSoup& soup) {
   }
 }
 
-/// The better of the two ways to cut a quadrilateral: no fold, then the shorter diagonal.
+/// True if a quadrilateral is better cut from its first to its third corner than from its second to its fourth: the cut
+/// that makes no fold, otherwise the shorter one.
 bool cut_first_to_third(const std::array<Vec3, 4>& p) {
   const auto fold = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {  // diagonal a-c
     return (p[b] - p[a]).cross(p[c] - p[a]).dot((p[c] - p[a]).cross(p[d] - p[a])) <= 0;
@@ -167,12 +187,7 @@ bool cut_first_to_third(const std::array<Vec3, 4>& p) {
 }  // namespace
 
 PolygonSoup read_mesh(std::istream& from, MeshFormat format) {
-  std::string bytes = contents_of(from);
-  if (bytes.empty()) throw InputError("is empty; export it again");
-  if (format == MeshFormat::stl) check_stl(bytes);
-  if (format == MeshFormat::obj) check_obj(bytes);
-  if (format == MeshFormat::off) bytes = checked_off(bytes);
-  if (format == MeshFormat::ply) check_ply(bytes);
+  const std::string bytes = checked(contents_of(from), format);
   Points points;
   PolygonSoup soup;
   bool read = false;
@@ -199,7 +214,7 @@ PolygonSoup read_mesh(const std::filesystem::path& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (!std::filesystem::is_regular_file(file))
-    throw InputError(file.string() + ": there is no such file; check the name, which counts from the case's folder");
+    throw InputError(file.string() + ": there is no such file; check the name, which is relative to the case's folder");
   if (extension == ".vtp") {
     const PolygonSoup soup = read_vtp_surface(file);
     try {

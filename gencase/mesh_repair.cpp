@@ -31,7 +31,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Points = std::vector<Kernel::Point_3>;
 using Polygons = std::vector<std::vector<std::size_t>>;
 
-/// Joins points nearer than `tolerance`, each to the first one found along x; returns how many went.
+/// Joins points nearer than `tolerance` [m], each to the first one found along x. Returns the number of points joined
+/// to others.
 std::size_t weld(Points& points, Polygons& polygons, double tolerance) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,7 +56,7 @@ std::size_t weld(Points& points, Polygons& polygons, double tolerance) {
   return count;
 }
 
-/// Faces whose direction around differs from what it was.
+/// Number of faces that were turned over.
 std::size_t count_turned(const std::vector<std::array<Kernel::Point_3, 3>>& before, const Points& points,
                          const Polygons& polygons) {
   std::set<std::array<Kernel::Point_3, 3>> known;
@@ -89,7 +90,7 @@ std::size_t fill_holes(Mesh& mesh, double largest) {
   return filled;
 }
 
-/// Unites the closed bodies of a mesh that reach into each other; nothing if it cannot be done.
+/// Unites the overlapping closed bodies of a mesh; nothing if they cannot be united.
 std::optional<Triangles> unite_bodies(const Mesh& mesh) {
   std::vector<Mesh> bodies;
   pmp::split_connected_components(mesh, bodies);

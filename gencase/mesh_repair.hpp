@@ -7,22 +7,23 @@
 
 namespace thalweg::gencase {
 
-/// How far a repair may go [m].
+/// Largest changes that a repair may make [m].
 struct RepairLimits {
-  double weld = 0;  // points this near become one
-  double hole = 0;  // holes with a diagonal up to this are filled
+  double weld = 0;  // points nearer to each other than this become one
+  double hole = 0;  // holes whose diagonal is not longer than this are filled
 };
 
+/// A surface after its repair.
 struct Repaired {
   Triangles surface;
-  std::vector<std::string> changes;  // what was done, one clause each; empty: nothing
+  std::vector<std::string> changes;  // one clause for each kind of change; empty if nothing was changed
 };
 
 /// Welds points, drops faces without area and faces that occur twice, turns faces alike, stitches, fills small holes
-/// and unites bodies that reach into each other. What it cannot cure is left for find_defects to tell.
+/// and unites bodies that overlap. Defects that it cannot cure remain; find_defects finds them.
 Repaired repair(const Triangles& surface, const RepairLimits& limits);
 
-/// Turns every face over.
+/// The surface with every face turned over.
 Triangles turned(Triangles surface);
 
 }  // namespace thalweg::gencase

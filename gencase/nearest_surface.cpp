@@ -13,7 +13,7 @@ using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
 
-// Surfaces closer to parallel than this (squared sine of their angle) do not meet in an edge.
+// Surfaces with a smaller squared sine of their angle are taken as parallel: they have no edge in common.
 constexpr double parallel = 1e-8;
 
 Gradients gradients(Few surfaces, const Vec3& at) {
@@ -28,8 +28,10 @@ Values distances(Few surfaces, const Vec3& at) {
   return values;
 }
 
-/// Foot of the perpendicular from `from` to where all surfaces meet: minimise |q - from| with every signed distance 0,
-/// by repeated linearisation (exact at once for planes): q = from + N^T (N N^T)^-1 (N (q - from) - d), N the gradients.
+/// Foot q of the perpendicular from `from` to the intersection of all surfaces: it minimises |q - from| while every
+/// signed distance d is 0. Repeated linearisation, exact after one iteration for planes:
+///   q = from + N^T (N N^T)^-1 (N (q - from) - d), N the matrix of the gradients.
+/// Nothing if it does not converge or the surfaces are parallel.
 std::optional<Vec3> foot(Few surfaces, const Vec3& from, double length) {
   if (surfaces.size() == 1) return from - surfaces[0]->signed_distance(from) * surfaces[0]->gradient(from);
   Vec3 q = from;
@@ -45,7 +47,7 @@ std::optional<Vec3> foot(Few surfaces, const Vec3& from, double length) {
   return std::nullopt;
 }
 
-/// Whether membership differs between the 2^k sectors into which k surfaces divide the neighbourhood of `at`.
+/// True if some, but not all, of the 2^k sectors into which k surfaces divide the neighbourhood of `at` lie in the set.
 bool on_skin(const PointSet& set, Few surfaces, const Vec3& at, double length) {
   const double probe = 1e-4 * length;  // far above rounding, far below any detail
   const Gradients n = gradients(surfaces, at);
@@ -73,8 +75,7 @@ std::optional<SurfacePoint> NearestSurface::find(const Vec3& from, double reach)
     double distance;
     const Surface* surface;
   };
-  // No point of a surface is nearer than the surface itself, so surfaces farther than the best skin point found drop
-  // out.
+  // A surface farther away than the best skin point found so far cannot hold a nearer one.
   std::vector<Near> near;
   near.reserve(surfaces_.size());
   for (const Surface* surface : surfaces_)

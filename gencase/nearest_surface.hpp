@@ -4,9 +4,10 @@
 
 namespace thalweg::gencase {
 
-/// Finds the nearest point of a set's skin. That point lies on one surface (a face), where two surfaces meet (an
-/// edge) or where three do (a corner); each candidate is the foot of the perpendicular from the given point, and it
-/// counts if the region's membership changes around it. So edges of unions and differences need no construction.
+/// Finds the nearest point of a set's skin from its surfaces. That point lies on one surface (a face), on the
+/// intersection of two (an edge) or of three (a corner). Each candidate is the foot of the perpendicular from the given
+/// point; it lies on the skin if points around it are partly inside and partly outside of the set. So the edges of
+/// unions and differences need not be constructed.
 class NearestSurface : public SkinSearch {
  public:
   /// `length` [m]: the size of the smallest detail that matters (the particle spacing). The set must outlive this.

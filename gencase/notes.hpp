@@ -7,11 +7,11 @@
 
 namespace thalweg::gencase {
 
-/// What gencase tells its user on the way.
+/// Messages of gencase to its user while it works.
 struct Notes {
-  std::function<void(const std::string&)> say = [](const std::string&) {};   // facts, one line each, as they are known
-  std::function<void(const std::string&)> warn = [](const std::string&) {};  // what the user should look at
-  /// Writes lines to look at, and returns the file's name; empty when nothing may be written.
+  std::function<void(const std::string&)> say = [](const std::string&) {};   // facts, one line each
+  std::function<void(const std::string&)> warn = [](const std::string&) {};  // possible mistakes, one line each
+  /// Writes a picture of lines and returns the name of its file; empty if no files may be written.
   std::function<std::string(const std::string& name, const LineSet&)> draw = [](const std::string&, const LineSet&) {
     return std::string();
   };

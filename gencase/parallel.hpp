@@ -10,7 +10,7 @@
 
 namespace thalweg::gencase {
 
-/// Calls `body(begin, end)` for parts of [0, count) on all cores and reports what is done.
+/// Calls `body(begin, end)` for parts of [0, count) on all cores and reports the progress.
 template <class Body>
 void for_parts(std::int64_t count, Progress& progress, Body&& body) {
   tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 16), [&](const tbb::blocked_range<std::int64_t>& part) {
@@ -19,7 +19,7 @@ void for_parts(std::int64_t count, Progress& progress, Body&& body) {
   });
 }
 
-/// A value of every thread, summed at the end: `total()` calls `add(sum, part)`.
+/// One value for each thread. `total()` sums them up by `add(sum, part)`.
 template <class T>
 class PerThread {
  public:

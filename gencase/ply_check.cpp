@@ -18,7 +18,7 @@
 namespace thalweg::gencase {
 namespace {
 
-/// A type of numbers: size [bytes]; the range of integers.
+/// A type of numbers: its size [bytes] and, for integers, its range.
 struct Type {
   std::size_t size = 0;
   bool integral = true;
@@ -87,7 +87,7 @@ Element element_of(const std::vector<std::string>& words, const std::string& lin
   return {words[1], std::stoull(words[2]), {}};
 }
 
-/// The property a line of the header announces; `has` takes what it means for a surface.
+/// The property that a line of the header announces. Adds to `has` the parts of a surface that it gives.
 Property property_of(const std::vector<std::string>& words, const std::string& line, const std::string& element,
                      std::set<std::string>& has) {
   if (words.size() == 3) {
@@ -136,7 +136,7 @@ Header read_header(const std::string& bytes) {
   return header;
 }
 
-/// Of the data, for messages: made into text only when something is wrong.
+/// A place in the data, for messages; it becomes text only if something is wrong.
 struct Place {
   const std::string& element;
   std::uint64_t number;
@@ -145,7 +145,7 @@ struct Place {
 
 std::string text_of(const Place& place) { return fmt::format("{} {} of {}", place.element, place.number, place.of); }
 
-/// The numbers of the data, one after the other.
+/// Reads the numbers of the data, one after the other.
 class Data {
  public:
   Data(const std::string& bytes, const Header& header)
@@ -187,7 +187,7 @@ class Data {
 
  private:
   [[noreturn]] static void refuse(std::string_view text, const Place& where) {
-    constexpr std::size_t enough = 20;  // of what may be anything
+    constexpr std::size_t enough = 20;  // characters to quote of a word that may be of any length
     throw InputError(
         fmt::format("has \"{}\" where a number of {} is due; export it again", text.substr(0, enough), text_of(where)));
   }

@@ -49,7 +49,7 @@ class Polygon : public Region {
     }
     return 0.5 * twice;
   }
-  /// A line that passes through a corner meets the edges on one side of it only: corners on the line count as above it.
+  /// Corners on the line count as above it, so that a line through a corner meets only the edges on one side.
   [[nodiscard]] Spans cut(const Line& line) const override {
     const int across = line.axis == 2 ? 0 : 1;  // entry of an edge's places
     const int along = 1 - across;
@@ -61,7 +61,8 @@ class Polygon : public Region {
       if (from_above == to_above) continue;
       const double share = (place - edge.from[across]) / (edge.to[across] - edge.from[across]);
       const bool rising = !from_above;
-      // Going up z, an edge running to +x has the region ahead; going along x, one running to +z has it behind.
+      // On a line along z the region begins at an edge that runs to +x; on a line along x it ends at one that runs to
+      // +z.
       crossings.emplace_back(edge.from[along] + share * (edge.to[along] - edge.from[along]),
                              (across == 0) == rising ? 1 : -1);
     }
@@ -108,7 +109,7 @@ std::vector<Eigen::Vector2d> counter_clockwise(std::vector<Eigen::Vector2d> poly
 std::vector<Edge> slice(const Triangles& surface) {
   std::vector<Edge> edges;
   for (const auto& corners : surface.corners) {
-    // Corners on the plane count as beyond it, so that neighbouring triangles agree.
+    // Corners on the plane count as lying at positive y, so that neighbouring triangles agree.
     Eigen::Vector2d enters;
     Eigen::Vector2d leaves;
     int crossings = 0;

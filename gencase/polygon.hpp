@@ -16,10 +16,10 @@ RegionPointer make_polygon(std::vector<Edge> edges);
 /// The edges of a simple polygon, turned so that its inside lies on their left.
 std::vector<Edge> edges_of(const std::vector<Eigen::Vector2d>& polygon);
 
-/// Whether no two edges of the polygon cross or touch (other than neighbours in their common corner).
+/// True if no two edges of the polygon cross or touch, other than neighbours in their common corner.
 bool is_simple(const std::vector<Eigen::Vector2d>& polygon);
 
-/// Turns a simple polygon counter-clockwise.
+/// A simple polygon with its corners in counter-clockwise order.
 std::vector<Eigen::Vector2d> counter_clockwise(std::vector<Eigen::Vector2d> polygon);
 
 /// The cut of a closed surface by the plane y = 0.

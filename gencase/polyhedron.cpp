@@ -34,7 +34,7 @@ Vec3 normal_of(const Kernel::Triangle_3& facet) {
   return (from_cgal(facet[1]) - a).cross(from_cgal(facet[2]) - a).normalized();
 }
 
-/// Nearest points by CGAL's tree of boxes around the facets.
+/// Finds nearest points with CGAL's tree of boxes around the facets.
 class FacetTree : public SkinSearch {
  public:
   explicit FacetTree(const Triangles& surface) : facets_(facets_of(surface)), tree_(facets_.begin(), facets_.end()) {
@@ -110,7 +110,7 @@ class Polyhedron : public Region {
   mutable std::unique_ptr<FacetTree> tree_;
 };
 
-/// The skin of a plate lies half its thickness from its middle surface.
+/// A plate: its skin lies half the thickness away from its middle surface.
 class Plate : public Region, public SkinSearch {
  public:
   Plate(Triangles surface, double thickness) : surface_(std::move(surface)), half_(0.5 * thickness), middle_(surface_) {
@@ -127,7 +127,7 @@ class Plate : public Region, public SkinSearch {
       const double at = line.along(node);
       const double distance = middle_.find(line.point(at), HUGE_VAL)->distance;
       if (distance < half_) spans.push_back({at, at});
-      // No nearer than this many nodes can the distance fall below half the thickness.
+      // The distance changes by at most a step from node to node, so these nodes lie beyond half the thickness.
       node += std::max<std::int64_t>(1, static_cast<std::int64_t>((distance - half_) / line.step));
     }
     return spans;
@@ -176,7 +176,7 @@ RegionPointer make_plate(Triangles surface, double thickness) {
 
 double volume(const Triangles& surface) {
   if (surface.points.empty()) return 0;
-  // Signed tetrahedra about a point of the surface, so that far coordinates do not cancel.
+  // Signed tetrahedra about a point of the surface: about the origin, large coordinates would cancel.
   const Kernel::Point_3 apex = to_cgal(surface.points.front());
   double sum = 0;
   for (const auto& [a, b, c] : surface.corners)

@@ -2,31 +2,27 @@
 
 #include <algorithm>
 
+#include "common/particle_arrays.hpp"
 #include "gencase/hydrostatic.hpp"
+#include "physics/seepage/skeleton.hpp"
 
 namespace thalweg::gencase {
 namespace {
 
-/// Appends a copy of particle i under a new number.
+/// Appends a copy of particle i under a new id and returns its index.
 std::size_t duplicate(ParticleSet& set, std::size_t i) {
   const auto copy = [i](auto& values) {
     if (values.empty()) return;
     const auto value = values[i];
     values.push_back(value);
   };
-  set.id.push_back(static_cast<std::int64_t>(set.id.size()));
-  copy(set.type);
-  copy(set.state);
+  const std::size_t index = set.size();
+  for_each_array(set, [&](const char*, auto& values) { copy(values); });
   copy(set.position);
-  copy(set.velocity);
-  copy(set.density);
-  copy(set.pressure);
-  copy(set.mass);
-  copy(set.viscosity);
-  copy(set.normal);
   for (auto& [name, values] : set.scalars) copy(values);
   for (auto& [name, values] : set.doubles) copy(values);
-  return set.id.size() - 1;
+  set.id[index] = static_cast<std::int64_t>(index);
+  return index;
 }
 
 }  // namespace
@@ -57,9 +53,9 @@ std::size_t split_into_mixture(const Case& scene, const std::vector<PlacedShape>
       const double density = hydrostatic_density(rho_w, pressure, sound_speed);
       const bool is_bed = shapes[label - 1U].shape->role == ShapeRole::sediment;
       if (is_bed) {
-        // What the bed as one fluid carries more than its water is the packing's load.
+        // The packing carries what the bed as one fluid carried beyond the pressure of its water.
         const double load = std::max(0.0, static_cast<double>(particles.pressure[grain]) - pressure);
-        const double stiffness = solids * (bed.grain_density - rho_w) * sound_speed * sound_speed;
+        const double stiffness = skeleton_stiffness(solids, bed.grain_density, rho_w, sound_speed);
         particles.density[grain] = static_cast<float>(solids * bed.grain_density * (1 + load / stiffness));
         particles.mass[grain] = static_cast<float>(solids * bed.grain_density * cell);
         particles.pressure[grain] = static_cast<float>(pressure);

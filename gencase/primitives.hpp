@@ -15,21 +15,22 @@ inline constexpr std::array<const char*, 6> face_names{"-x", "+x", "-y", "+y", "
 /// The box between two corners [m], lower < upper; in 2-D a rectangle of the plane x-z.
 RegionPointer make_box(const Vec3& lower, const Vec3& upper, int dimension);
 
-/// The box continued without end through its open faces: the room a container leaves to the flow.
+/// The box, extended to infinity through its open faces: the inside of a container.
 RegionPointer make_open_box(const Vec3& lower, const Vec3& upper, const Faces& open, int dimension);
 
-/// The wall of a container: everything within `thickness` [m] of the box in each direction, also around its edges and
-/// corners, but nothing beyond an open face. Only the box's own faces are surfaces of it; nothing flows outside.
+/// The wall of a container: the box enlarged by `thickness` [m] in each direction, edges and corners included, without
+/// its inside and without the parts beyond open faces. Only the inner faces are its surfaces, because there is no flow
+/// outside.
 RegionPointer make_container_wall(const Vec3& lower, const Vec3& upper, const Faces& open, double thickness,
                                   int dimension);
 
-/// `radius` [m] around the segment from `from` to `to`, with flat ends.
+/// The cylinder of `radius` [m] around the segment from `from` to `to` [m], with flat ends.
 RegionPointer make_cylinder(const Vec3& from, const Vec3& to, double radius);
 
-/// `radius` [m] at `from` and `end_radius` at `to`, with flat ends; one of the radii may be 0.
+/// The cone or frustum with `radius` [m] at `from` and `end_radius` [m] at `to`, with flat ends. One radius may be 0.
 RegionPointer make_cone(const Vec3& from, const Vec3& to, double radius, double end_radius);
 
-/// The disc of the plane x-z: what a cylinder along y or a sphere is in 2-D.
+/// A disc in the plane x-z, the cut of a cylinder along y or of a sphere by the plane of a 2-D scene.
 RegionPointer make_disc(const Vec3& center, double radius);
 
 RegionPointer make_sphere(const Vec3& center, double radius);

@@ -34,13 +34,13 @@ class Surface {
   [[nodiscard]] virtual Vec3 gradient(const Vec3& point) const = 0;
 };
 
-/// What surfaces bound: enough to find the nearest point of its skin.
+/// A set of points bounded by surfaces, with what NearestSurface needs to find the nearest point of its skin.
 class PointSet {
  public:
   virtual ~PointSet() = default;
-  /// Whether `point` [m] lies in the set or on its skin.
+  /// True if `point` [m] lies in the set or on its skin.
   [[nodiscard]] virtual bool contains(const Vec3& point) const = 0;
-  /// Appends every surface on which a part of the skin may lie. The set keeps them.
+  /// Appends every surface on which a part of the skin may lie. The set owns them.
   virtual void append_surfaces(std::vector<const Surface*>& surfaces) const = 0;
 };
 
@@ -55,7 +55,7 @@ struct SurfacePoint {
 class SkinSearch {
  public:
   virtual ~SkinSearch() = default;
-  /// Nothing when no skin lies within `reach` [m] of `from` (or none at all).
+  /// The point of the skin nearest to `from` [m]; nothing if there is none within `reach` [m].
   [[nodiscard]] virtual std::optional<SurfacePoint> find(const Vec3& from, double reach) const = 0;
 };
 
@@ -63,16 +63,16 @@ class SkinSearch {
 class Region : public PointSet {
  public:
   [[nodiscard]] virtual Bounds bounds() const = 0;
-  /// Volume [m^3], in 2-D area [m^2]; nothing where no closed form is at hand.
+  /// Volume [m^3], in 2-D area [m^2]; nothing if it has no closed form.
   [[nodiscard]] virtual std::optional<double> measure() const = 0;
-  /// The parts of a line within the region; they have to be right at the line's nodes only.
+  /// The parts of a line within the region. They need to be exact only at the line's nodes.
   [[nodiscard]] virtual Spans cut(const Line& line) const = 0;
-  /// The skin as closed surface triangles that leave it by at most `deviation` [m]; nothing in 2-D and for regions
-  /// known by distance only.
+  /// The skin as a closed surface of triangles that deviate from it by at most `deviation` [m]; nothing in 2-D and for
+  /// regions that are given by distances.
   [[nodiscard]] virtual std::optional<Triangles> triangles(double deviation) const = 0;
-  /// Whether the region is known by its triangles, which then are exact.
+  /// True if the region is given by triangles, so that these are exact.
   [[nodiscard]] virtual bool is_mesh() const { return false; }
-  /// A faster search of the skin than through its surfaces, if the region has one.
+  /// A search of the skin that is faster than NearestSurface, or nullptr.
   [[nodiscard]] virtual const SkinSearch* own_search() const { return nullptr; }
 };
 

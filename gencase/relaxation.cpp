@@ -4,23 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gencase/hydrostatic.hpp"
+#include "physics/kernel.hpp"
 
 namespace thalweg::gencase {
 namespace {
 
-constexpr std::int32_t nobody = -1;
+constexpr std::int32_t no_particle = -1;
 
-class Shifting {
+class ParticleShifting {
  public:
-  Shifting(ParticleSet& particles, const std::vector<PlacedShape>& shapes, const SkinSearch& skin,
-           const Filling& filling)
+  ParticleShifting(ParticleSet& particles, const std::vector<PlacedShape>& shapes, const SkinSearch& skin,
+                   const Filling& filling)
       : particles_(particles), shapes_(shapes), skin_(skin), filling_(filling), lattice_(filling.lattice) {
     find_nodes();
     find_offsets();
-    choose();
+    choose_particles();
   }
 
   Relaxation run(int sweeps, double gravity, double sound_speed) {
@@ -43,14 +43,14 @@ class Shifting {
     for (std::size_t m = 0; m < movable_.size(); ++m) {
       const Vec3 way = particles_.position[movable_[m]] - start[m];
       result.farthest = std::max(result.farthest, way.norm());
-      weigh_anew(movable_[m], gravity * way[lattice_.axes[2]], sound_speed);
+      update_hydrostatics(movable_[m], gravity * way[lattice_.axes[2]], sound_speed);
     }
     return result;
   }
 
  private:
-  /// Where a wall comes out of the fluid a kernel sum tells nothing of how even it is: fluid there keeps its distance
-  /// from the wall and does no more.
+  /// Fluid beside a wall and the free surface steps back from the wall but is not shifted: there the kernel sum does
+  /// not tell how even the particles stand, because it lacks the part above the surface.
   void step_back_at_surface(Relaxation& result, double gravity, double sound_speed) {
     for (const std::size_t i : at_surface_) {
       const Vec3 way = stepped_back(particles_.position[i]) - particles_.position[i];
@@ -58,12 +58,13 @@ class Shifting {
       ++result.too_near;
       result.farthest = std::max(result.farthest, way.norm());
       particles_.position[i] += way;
-      weigh_anew(i, gravity * way[lattice_.axes[2]], sound_speed);
+      update_hydrostatics(i, gravity * way[lattice_.axes[2]], sound_speed);
     }
   }
 
-  /// Hydrostatic pressure at the new place; `potential` [m^2/s^2] gained against gravity, negative upward.
-  void weigh_anew(std::size_t i, double potential, double sound_speed) {
+  /// Pressure, density and mass of rest at the new place. `potential` [m^2/s^2]: gravity times the way along it,
+  /// positive downward.
+  void update_hydrostatics(std::size_t i, double potential, double sound_speed) {
     const double rest = shapes_[filling_.label[static_cast<std::size_t>(node_of_[i])] - 1U].density_at_rest;
     const double pressure = std::max(0.0, particles_.pressure[i] + rest * potential);
     const double density = hydrostatic_density(rest, pressure, sound_speed);
@@ -75,16 +76,16 @@ class Shifting {
   [[nodiscard]] double least_distance() const { return 0.5 * lattice_.spacing * (1 - 1e-6); }
   [[nodiscard]] bool is_too_near(const Vec3& place) const { return skin_.find(place, least_distance()).has_value(); }
 
-  /// Half a spacing from the nearest skin, if it is nearer.
+  /// The place, moved to half a spacing from the nearest skin if it is nearer than that.
   [[nodiscard]] Vec3 stepped_back(const Vec3& place) const {
     const auto near = skin_.find(place, least_distance());
     if (!near || near->distance < 1e-9 * lattice_.spacing) return place;
     return place - (0.5 * lattice_.spacing - near->distance) * near->direction;
   }
 
-  /// Particles were made node by node in this order.
+  /// Finds the node of each particle: generate() makes the particles in the order of the nodes.
   void find_nodes() {
-    at_node_.assign(filling_.label.size(), nobody);
+    at_node_.assign(filling_.label.size(), no_particle);
     std::int32_t next = 0;
     for (std::size_t node = 0; node < filling_.label.size(); ++node) {
       if (filling_.label[node] == nothing || filling_.label[node] == solid_core) continue;
@@ -93,7 +94,7 @@ class Shifting {
     }
   }
 
-  /// Steps to the nodes whose particles may lie within the support, having moved by half a spacing each.
+  /// Finds the steps to all nodes whose particles may lie within the support after both have moved by half a spacing.
   void find_offsets() {
     const double h = particles_.info.smoothing_length;
     const int reach = static_cast<int>(std::ceil(2 * h / lattice_.spacing)) + 1;
@@ -105,14 +106,15 @@ class Shifting {
     support_ = 2 * h;
   }
 
-  /// Label of a node, `nothing` beyond the lattice.
+  /// Label of a node; `nothing` outside of the lattice.
   [[nodiscard]] Label label_at(const Index3& at) const {
     for (int axis = 0; axis < 3; ++axis)
       if (at[axis] < 0 || at[axis] >= lattice_.count[axis]) return nothing;
     return filling_.label[static_cast<std::size_t>(lattice_.flat(at))];
   }
 
-  void choose() {
+  /// Sorts the fluid particles beside walls into those that may be shifted and those at the free surface.
+  void choose_particles() {
     for (std::size_t i = 0; i < node_of_.size(); ++i) {
       if (!shapes_[filling_.label[static_cast<std::size_t>(node_of_[i])] - 1U].is_fluid()) continue;
       const Index3 here = lattice_.offset(node_of_[i]);
@@ -136,12 +138,12 @@ class Shifting {
     return result;
   }
 
-  /// Sum of V grad W over a particle's neighbours [1/m]; Wendland C2: grad W = -5 s / h^2 (1 - q/2)^3 r, with
-  /// s = 7 / (4 pi h^2) in the plane and 21 / (16 pi h^3) in space.
+  /// Sum of V grad W over a particle's neighbours [1/m].
+  [[nodiscard]] Vec3 gradient(std::size_t i) const { return lattice_.dimension == 2 ? gradient<2>(i) : gradient<3>(i); }
+
+  template <int Dim>
   [[nodiscard]] Vec3 gradient(std::size_t i) const {
-    const double h = particles_.info.smoothing_length;
-    const double s =
-        lattice_.dimension == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
+    const WendlandC2<Dim, double> kernel(particles_.info.smoothing_length);
     const Index3 here = lattice_.offset(node_of_[i]);
     Vec3 sum = Vec3::Zero();
     for (const Index3& step : offsets_) {
@@ -150,8 +152,7 @@ class Shifting {
       if (label == nothing || label == solid_core) continue;
       const std::int32_t j = at_node_[static_cast<std::size_t>(lattice_.flat(at))];
       const Vec3 arm = particles_.position[i] - particles_.position[static_cast<std::size_t>(j)];
-      const double rest = std::max(0.0, 1 - arm.norm() / support_);
-      sum -= 5 * s / (h * h) * rest * rest * rest * arm;
+      sum += kernel.gradient(closeness_by_support(arm.norm(), support_)) * arm;
     }
     return lattice_.cell() * sum;
   }
@@ -165,7 +166,8 @@ class Shifting {
   }
 
   void move(const std::vector<Vec3>& start) {
-    // A share of h^2 at which neighbours that all answer do not overshoot; a tenth of the spacing at once.
+    // The shift is this factor [m^2] times the gradient: 0.1 h^2, so that neighbours that shift at the same time do not
+    // overshoot; and at most a tenth of the spacing in one sweep.
     const double strength = 0.1 * particles_.info.smoothing_length * particles_.info.smoothing_length;
     tbb::parallel_for(std::size_t{0}, movable_.size(), [&](std::size_t m) {
       Vec3& place = particles_.position[movable_[m]];
@@ -195,7 +197,7 @@ class Shifting {
 
 Relaxation relax(ParticleSet& particles, const std::vector<PlacedShape>& shapes, const SkinSearch& skin,
                  const Filling& filling, int sweeps, double gravity, double sound_speed) {
-  return Shifting(particles, shapes, skin, filling).run(sweeps, gravity, sound_speed);
+  return ParticleShifting(particles, shapes, skin, filling).run(sweeps, gravity, sound_speed);
 }
 
 }  // namespace thalweg::gencase

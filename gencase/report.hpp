@@ -6,8 +6,8 @@
 
 namespace thalweg::gencase {
 
-/// The summary gencase prints: shapes with filled against exact volume, counts and masses per type, bounds, sound
-/// speed, largest hydrostatic pressure.
+/// The summary that gencase prints: particles of each shape with filled and exact volume, numbers and masses per type,
+/// bounds, sound speed, largest hydrostatic pressure.
 std::string report(const Generated& generated);
 
 }  // namespace thalweg::gencase

@@ -5,7 +5,7 @@
 namespace thalweg::gencase {
 namespace {
 
-/// Regions made of the room that earlier walls leave: they fill it and are never walls, so nobody asks for their skin.
+/// Regions that fill a part of the room that earlier walls leave. They are never walls, so their skin is not needed.
 class PartOfRoom : public Region {
  public:
   explicit PartOfRoom(FlowRoom room) : room_(std::move(room)) {}

@@ -4,10 +4,11 @@
 
 namespace thalweg::gencase {
 
-/// What of `region` lies in `room`: a bed under a measured surface, say, that is wider than the flume.
+/// The part of `region` that lies in `room`; for example of a bed under a measured surface that is wider than the
+/// flume.
 RegionPointer make_within(FlowRoom room, RegionPointer region);
 
-/// The room within `box`: containers filled up to a level.
+/// The part of the room within `box`: containers filled up to a level.
 RegionPointer make_filled(FlowRoom room, const Bounds& box);
 
 /// The lowest `thickness` [m] of the room in every column along `axis` within `box`.

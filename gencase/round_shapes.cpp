@@ -16,7 +16,7 @@ constexpr double everywhere = HUGE_VAL;
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// Where a t^2 + 2 b t + c <= 0.
+/// The values t with a t^2 + 2 b t + c <= 0.
 Spans where_not_positive(double a, double b, double c) {
   if (a == 0) {
     if (b == 0) return c <= 0 ? Spans{{-everywhere, everywhere}} : Spans{};
@@ -25,7 +25,7 @@ Spans where_not_positive(double a, double b, double c) {
   }
   const double discriminant = b * b - a * c;
   if (discriminant < 0) return a > 0 ? Spans{} : Spans{{-everywhere, everywhere}};
-  // The larger root first, the other from the product of both: no cancellation.
+  // The root of larger magnitude first, the other from the product of both: this avoids cancellation.
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   double low = q / a;
   double high = q == 0 ? 0 : c / q;
@@ -33,7 +33,7 @@ Spans where_not_positive(double a, double b, double c) {
   return a > 0 ? Spans{{low, high}} : Spans{{-everywhere, low}, {high, everywhere}};
 }
 
-/// Where s0 + ds t lies between 0 and `length`.
+/// The values t for which s0 + ds t lies between 0 and `length`.
 Spans within_slab(double s0, double ds, double length) {
   if (std::abs(ds) < 1e-15) return s0 >= 0 && s0 <= length ? Spans{{-everywhere, everywhere}} : Spans{};
   const double first = -s0 / ds;
@@ -71,7 +71,7 @@ class Cylinder : public Region {
     return std::numbers::pi * radius_ * radius_ * (to_ - from_).norm();
   }
   [[nodiscard]] Spans cut(const Line& line) const override {
-    const Vec3 start = line.point(from_[line.axis]) - from_;  // near the shape, so that nothing cancels
+    const Vec3 start = line.point(from_[line.axis]) - from_;  // near the shape, to avoid cancellation
     const Vec3 arm = start - start.dot(axis_) * axis_;
     const Vec3 turn = Vec3::Unit(line.axis) - axis_[line.axis] * axis_;
     const Spans side = where_not_positive(turn.squaredNorm(), arm.dot(turn), arm.squaredNorm() - radius_ * radius_);

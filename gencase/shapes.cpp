@@ -26,7 +26,7 @@ std::string length(double metres) { return format_quantity(metres, "m"); }
   throw InputError(where(scene, shape) + " " + what);
 }
 
-// Curved shapes leave their triangles by at most this share of the spacing where meshes have to be cut against them.
+// Largest deviation of triangles from curved shapes, in spacings, if meshes are cut against these.
 constexpr double deviation_of_triangles = 0.01;
 
 /// The cut of a cone by the plane through its axis.
@@ -50,19 +50,11 @@ RegionPointer make_prism(const Case& scene, const Shape& shape) {
       extrude(counter_clockwise(shape.polygon), static_cast<int>(shape.axis), shape.extent[0], shape.extent[1]));
 }
 
-Boolean boolean_of(ShapeKind kind) {
-  return kind == ShapeKind::combine_union        ? Boolean::unite
-         : kind == ShapeKind::combine_difference ? Boolean::subtract
-                                                 : Boolean::intersect;
-}
-
-RegionPointer make_combination(const Case& scene, const Shape& shape, std::vector<RegionPointer> parts) {
+/// A combination of shapes. Throws InputError if meshes among them cannot be cut against each other.
+RegionPointer combine_shapes(const Case& scene, const Shape& shape, std::vector<RegionPointer> parts, Boolean how) {
   const bool meshes =
       std::any_of(parts.begin(), parts.end(), [](const RegionPointer& part) { return part->is_mesh(); });
-  const Boolean how = boolean_of(shape.kind);
-  const RegionPointer pointwise = how == Boolean::unite      ? make_union(std::move(parts))
-                                  : how == Boolean::subtract ? make_difference(std::move(parts))
-                                                             : make_intersection(std::move(parts));
+  const RegionPointer pointwise = make_combination(std::move(parts), how);
   // Shapes with a formula of their own need no triangles: their combination is exact as it is.
   if (!meshes || shape.boolean == BooleanMethod::voxel) return pointwise;
   try {
@@ -79,7 +71,7 @@ RegionPointer make_combination(const Case& scene, const Shape& shape, std::vecto
   }
 }
 
-/// What a placed shape leaves of the room for the flow.
+/// Adds a placed shape to the room as container, solid or opening; fluids change nothing.
 void add_to(FlowRoom& room, const PlacedShape& placed) {
   if (placed.is_container())
     room.add_container(placed.room, placed.body);
@@ -89,11 +81,11 @@ void add_to(FlowRoom& room, const PlacedShape& placed) {
     room.add_opening(placed.body);
 }
 
-/// What earlier shapes mean to the next one.
+/// The earlier shapes of the case, for shapes that refer to them.
 struct Earlier {
   std::map<std::string, RegionPointer> named;
-  FlowRoom room;                     // what their walls leave free
-  std::optional<Bounds> containers;  // around the containers' bodies, open faces at their rims
+  FlowRoom room;                     // that their walls leave to the flow
+  std::optional<Bounds> containers;  // of the containers as given; open faces are not extended
 
   void add(const PlacedShape& placed, const RegionPointer& region) {
     add_to(room, placed);
@@ -105,7 +97,7 @@ struct Earlier {
   }
 };
 
-/// Where containers can be filled: up to their rims, within the domain.
+/// The box in which containers can be filled: up to their rims, within the domain.
 Bounds filling_box(const Case& scene, const Shape& shape, const Earlier& earlier) {
   if (!earlier.containers)
     refuse(scene, shape, "fills containers, and no wall with side = \"outside\" comes before it; put one before it");
@@ -156,9 +148,11 @@ RegionPointer make_region(const Case& scene, const Shape& shape, const Earlier& 
     case ShapeKind::layer:
       return make_layer(earlier.room, filling_box(scene, shape, earlier), shape.thickness, 2);
     case ShapeKind::combine_union:
+      return combine_shapes(scene, shape, std::move(parts), Boolean::unite);
     case ShapeKind::combine_difference:
+      return combine_shapes(scene, shape, std::move(parts), Boolean::subtract);
     case ShapeKind::combine_intersection:
-      return make_combination(scene, shape, std::move(parts));
+      return combine_shapes(scene, shape, std::move(parts), Boolean::intersect);
   }
   throw std::logic_error("a kind of shape without geometry");
 }
@@ -204,9 +198,13 @@ ParticleType PlacedShape::type() const {
       return ParticleType::sediment;
     case ShapeRole::moving_wall:
       return ParticleType::moving_wall;
-    default:
+    case ShapeRole::wall:
       return ParticleType::wall;
+    case ShapeRole::none:
+    case ShapeRole::empty:
+      break;
   }
+  throw std::logic_error("a shape without particles has no type");
 }
 
 double kernel_support(const Case& scene) { return 2 * scene.smoothing_length(); }
@@ -223,7 +221,7 @@ std::vector<PlacedShape> place_shapes(const Case& scene, const Notes& notes) {
   std::vector<PlacedShape> placed;
   for (const Shape& shape : scene.shapes) {
     const double spacing = scene.numerics.spacing;
-    // Whole layers, so that the kernel of a particle at the wall finds the wall complete.
+    // Whole layers, so that the support of a particle at the wall is filled.
     const double layers = std::ceil(kernel_support(scene) / spacing - 1e-6) * spacing;
     const double thickness = shape.thickness > 0 ? shape.thickness : layers;
     const RegionPointer region = make_region(scene, shape, earlier, thickness, notes);

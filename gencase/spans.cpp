@@ -37,7 +37,7 @@ Spans subtract(const Spans& a, const Spans& b) {
     for (const Span& hole : b) {
       if (hole.high < low) continue;
       if (hole.low > span.high) break;
-      // The hole keeps its ends: what is left ends just before it.
+      // The ends of a hole belong to the hole, so the rest ends just before it.
       if (hole.low > low) result.push_back({low, std::nextafter(hole.low, -HUGE_VAL)});
       low = std::nextafter(hole.high, HUGE_VAL);
       rest = low <= span.high;

@@ -9,7 +9,7 @@ namespace thalweg::gencase {
 
 /// A line of lattice nodes parallel to a coordinate axis.
 struct Line {
-  Vec3 origin = Vec3::Zero();  // [m]; its entry along `axis` means nothing
+  Vec3 origin = Vec3::Zero();  // [m]; its entry along `axis` is not used
   int axis = 2;
   double first = 0;  // [m] first node along the axis
   double step = 0;   // [m] from one node to the next
@@ -32,19 +32,19 @@ struct Span {
 /// Disjoint parts of one line in ascending order.
 using Spans = std::vector<Span>;
 
-/// What lies in `a` or `b`, in `a` and `b`, in `a` and not in `b`.
+/// The parts in `a` or `b`, in `a` and `b`, in `a` and not in `b`.
 Spans unite(const Spans& a, const Spans& b);
 Spans intersect(const Spans& a, const Spans& b);
 Spans subtract(const Spans& a, const Spans& b);
 
-/// Whether `at` [m] lies in one of them, ends included.
+/// True if `at` [m] lies in one of the spans, ends included.
 bool covers(const Spans& spans, double at);
 
 /// Calls `visit(first, last)` for every run of nodes of `line` within `spans`, last included.
 template <class Visit>
 void for_runs(const Line& line, const Spans& spans, Visit&& visit);
 
-/// First node at or above `at` [m], from 0 to line.count.
+/// Index of the first node at or above `at` [m], from 0 to line.count.
 std::int64_t first_node_from(const Line& line, double at);
 
 template <class Visit>

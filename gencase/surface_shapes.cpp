@@ -53,7 +53,7 @@ Triangles read_surface(const Case& scene, const Shape& shape) {
   return surface;
 }
 
-/// A body far larger than the domain that would fit a thousand times smaller was drawn in millimetres.
+/// Refuses a body that is far larger than the domain and would fit if its numbers were millimetres.
 void check_unit(const Case& scene, const Shape& shape, const Bounds& bounds) {
   Vec3 domain = scene.domain.to - scene.domain.from;
   Vec3 body = bounds.upper - bounds.lower;
@@ -79,7 +79,8 @@ void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bo
   }
 }
 
-/// What the lattice cannot see may be welded; holes of a few particles, or small beside the body, may be filled.
+/// Limits of a repair: it welds points that the lattice cannot resolve, and fills holes of a few spacings or of a small
+/// share of the body.
 RepairLimits limits_of(const Case& scene, const Triangles& surface) {
   const Bounds bounds = bounds_of(surface);
   const double spacing = scene.numerics.spacing;
@@ -141,7 +142,7 @@ RegionPointer make_body(const Case& scene, const Shape& shape, Triangles surface
 
 bool is_wall(const Shape& shape) { return shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall; }
 
-/// Points of a table as they were measured, and the lines they stand on.
+/// Measured points of a table [m], placed as the shape says.
 struct Survey {
   std::vector<Vec3> points;
   bool has_y = true;
@@ -176,7 +177,7 @@ void check_base(const Case& scene, const Shape& shape, const std::vector<Vec3>& 
                      length(shape.base)));
 }
 
-/// The section of a surface without change in y, closed by the base.
+/// The polygon (x, z) between a surface that does not change in y and the base.
 std::vector<Eigen::Vector2d> section(const Case& scene, const Shape& shape, std::vector<Vec3> points) {
   std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -195,7 +196,7 @@ RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& no
   if (!survey.has_y) {
     const auto polygon = section(scene, shape, survey.points);
     if (scene.info.dimension == 2) return make_polygon(edges_of(polygon));
-    // Beyond the domain, so that it ends in no wall.
+    // It reaches beyond the domain, so that its ends lie in no wall.
     const double beyond = scene.domain.to.y() - scene.domain.from.y();
     return make_polyhedron(
         extrude(counter_clockwise(polygon), 1, scene.domain.from.y() - beyond, scene.domain.to.y() + beyond));

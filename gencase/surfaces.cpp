@@ -17,7 +17,7 @@ Vec3 RoundSurface::gradient(const Vec3& p) const {
   const Vec3 away = arm(p);
   const double length = away.norm();
   if (length > 1e-12 * radius_) return away / length;
-  return axis_.isZero() ? Vec3::UnitZ() : across(axis_);  // on the axis every way out is as near as any other
+  return axis_.isZero() ? Vec3::UnitZ() : across(axis_);  // on the axis all directions are equal
 }
 
 Vec3 RoundSurface::arm(const Vec3& p) const {
@@ -38,7 +38,7 @@ Eigen::Vector2d ConeSurface::in_half_plane(const Vec3& p) const {
 
 bool ConeSurface::beyond_apex(const Eigen::Vector2d& q) const {
   const Eigen::Vector2d from_ring = q - Eigen::Vector2d(0, radius_);
-  return (from_ring - from_ring.dot(normal_) * normal_).y() < -radius_;  // the foot lies beyond the axis
+  return (from_ring - from_ring.dot(normal_) * normal_).y() < -radius_;  // the foot lies on the other side of the axis
 }
 
 double ConeSurface::signed_distance(const Vec3& p) const {

@@ -4,7 +4,7 @@
 
 namespace thalweg::gencase {
 
-/// A plane given by a point and the unit normal that leads out of the region.
+/// A plane, given by a point and the unit normal that points out of the region.
 class Plane : public Surface {
  public:
   Plane(const Vec3& point, const Vec3& normal) : offset_(normal.dot(point)), normal_(normal) {}
@@ -39,7 +39,7 @@ class ConeSurface : public Surface {
   [[nodiscard]] Vec3 gradient(const Vec3& p) const override;
 
  private:
-  /// Places in the half plane of p: along the axis, and away from it.
+  /// Coordinates of p in the half plane through the axis and p: along the axis, and away from it.
   [[nodiscard]] Eigen::Vector2d in_half_plane(const Vec3& p) const;
   [[nodiscard]] bool beyond_apex(const Eigen::Vector2d& q) const;
   Vec3 from_;

@@ -20,14 +20,15 @@ using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
-/// Sides of the regular polygon in a circle that leaves it by at most `deviation`: R (1 - cos(pi / n)) <= deviation.
+/// Number of sides n of a regular polygon in a circle that deviates from it by at most `deviation`:
+/// R (1 - cos(pi / n)) <= deviation.
 int sides(double radius, double deviation) {
   if (radius <= 0) return 8;
   const double cosine = std::max(1 - deviation / radius, -1.0);
   return static_cast<int>(std::clamp(std::ceil(std::numbers::pi / std::acos(cosine)), 8.0, 2000.0));
 }
 
-/// Whether a point lies inside a polygon: an even-odd count along +u.
+/// True if a point lies inside a polygon: a ray to +x crosses an odd number of edges.
 bool inside(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p) {
   bool in = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -87,7 +88,7 @@ Triangles revolve(const Vec3& from, const Vec3& axis, const std::vector<Eigen::V
 }
 
 Triangles tessellate_sphere(const Vec3& center, double radius, double deviation) {
-  deviation *= 0.5;  // along the meridians, and around the axis
+  deviation *= 0.5;  // half of it along the meridians, half around the axis
   const int rings = std::max(4, (sides(radius, deviation) + 1) / 2);
   std::vector<Eigen::Vector2d> profile;
   for (int r = 0; r <= rings; ++r) {

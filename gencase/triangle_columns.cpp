@@ -10,8 +10,9 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// On which side of a -> b the point p lies; on the line, on which side it would lie after a step to the right and an
-/// infinitely smaller one upward. The sign turns with the direction of the edge, so both triangles beside it agree.
+/// Side of a -> b on which the point p lies: 1 left, -1 right. A point on the line counts as moved a step to the right
+/// and an infinitely smaller step upward. The sign changes with the direction of the edge, so that both triangles
+/// beside it agree. 0 only if a = b.
 int side(const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& p) {
   const auto exact =
       CGAL::orientation(Kernel::Point_2(a[0], a[1]), Kernel::Point_2(b[0], b[1]), Kernel::Point_2(p[0], p[1]));
@@ -38,7 +39,7 @@ TriangleColumns::TriangleColumns(const Triangles& surface, int axis)
     bins_[k] = std::clamp(wanted, 1, most_bins);
     bin_size_[k] = std::max(high[k] - low_[k], 1e-300) / bins_[k];
   }
-  // Counting sort: how many triangles each bin holds, where its list begins, then the lists.
+  // Counting sort: the number of triangles of each bin, the beginning of its list, then the lists.
   const auto for_bins = [&](std::uint32_t triangle, auto&& visit) {
     Place lower{HUGE_VAL, HUGE_VAL};
     Place upper{-HUGE_VAL, -HUGE_VAL};

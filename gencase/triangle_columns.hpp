@@ -7,9 +7,9 @@
 
 namespace thalweg::gencase {
 
-/// The triangles of a closed surface in bins across one axis, for lines parallel to it. Whether a line meets a triangle
-/// is decided by exact predicates, and a line through an edge or corner meets exactly one of the triangles beside it,
-/// so that every line enters a closed surface as often as it leaves it.
+/// The triangles of a closed surface, sorted into bins across one axis, for lines parallel to it. Exact predicates
+/// decide if a line meets a triangle, and a line through an edge or corner meets exactly one of the triangles beside
+/// it, so that every line enters a closed surface as often as it leaves it.
 class TriangleColumns {
  public:
   /// `surface` must outlive this.

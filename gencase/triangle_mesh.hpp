@@ -7,7 +7,8 @@
 
 namespace thalweg::gencase {
 
-/// The triangles of a CGAL mesh of any kernel, coordinates rounded to double; drops what the mesh has deleted.
+/// The triangles of a CGAL mesh of any kernel, with coordinates rounded to double. First removes the elements that are
+/// marked as deleted from the mesh.
 template <class Point>
 Triangles triangles_of(CGAL::Surface_mesh<Point>& mesh) {
   mesh.collect_garbage();

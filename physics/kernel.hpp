@@ -44,4 +44,8 @@ struct WendlandC2 {
   }
 };
 
+/// The closeness t of WendlandC2 in double precision, by a division by the support 2h [m]. closeness() multiplies by
+/// 1/(2h), which is faster and rounds once more; this is for sums on the host that position particles to the last bit.
+inline double closeness_by_support(double distance, double support) { return lane_max(1 - distance / support, 0.0); }
+
 }  // namespace thalweg

@@ -12,12 +12,13 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <algorithm>
-#include <array>
+#include <set>
+#include <type_traits>
 
 #include "common/error.hpp"
 #include "common/io/particle_names.hpp"
 #include "common/io/vtk_errors.hpp"
+#include "common/particle_arrays.hpp"
 
 namespace thalweg {
 namespace {
@@ -52,16 +53,15 @@ class Reader {
     ParticleSet set;
     set.info = info();
     positions(set);
-    set.id = values<std::int64_t>(particle_names::id, 1, true);
-    set.type = enumeration<ParticleType>(particle_names::type, true);
-    set.state = enumeration<SedimentState>(particle_names::state, false);
-    set.velocity = vectors(particle_names::velocity);
-    set.density = values<float>(particle_names::density, 1, false);
-    set.pressure = values<float>(particle_names::pressure, 1, false);
-    set.mass = mass();
-    set.viscosity = values<float>(particle_names::viscosity, 1, false);
-    set.normal = vectors(particle_names::normal);
-    further(set);
+    std::set<std::string> members;
+    for_each_array(set, [&](const char* name, auto& array) {
+      read(name, array);
+      members.insert(name);
+    });
+    if (count_ > 0 && set.id.empty()) reject("has no point array Id", "particle files need Id and Type");
+    if (count_ > 0 && set.type.empty()) reject("has no point array Type", "particle files need Id and Type");
+    if (set.mass.empty()) set.mass = constant_mass();
+    read_further(set, members);
     return set;
   }
 
@@ -97,10 +97,23 @@ class Reader {
     info.smoothing_length = fact(particle_names::smoothing, 0);
     info.time = fact(particle_names::time, 0);
     info.step = static_cast<std::int64_t>(fact(particle_names::step, 0));
+    info.lattice_node = lattice_node();
     return info;
   }
 
-  // Numbers of `array` as T, whatever type the file has them in; never by way of double, which would round ids.
+  [[nodiscard]] std::optional<Vec3> lattice_node() {
+    auto* array = vtkDataArray::SafeDownCast(field(particle_names::lattice_node));
+    if (array == nullptr) return std::nullopt;
+    Vec3 node = Vec3::Zero();
+    const bool is_point = array->GetNumberOfTuples() == 1 && array->GetNumberOfComponents() == 3;
+    if (is_point) array->GetTuple(0, node.data());
+    if (!is_point || !node.allFinite()) {
+      reject("LatticeNode in its field data is no point", "give one entry of three finite coordinates, or none");
+    }
+    return node;
+  }
+
+  // Numbers of `array` as T, from any type the file holds; never by way of double, which would round ids.
   template <class T>
   std::vector<T> converted(vtkDataArray* array) const {
     std::vector<T> numbers;
@@ -116,12 +129,9 @@ class Reader {
   }
 
   template <class T>
-  std::vector<T> values(const char* name, int components, bool needed) const {
+  std::vector<T> values(const char* name, int components) const {
     vtkDataArray* array = data_->GetPointData()->GetArray(name);
-    if (array == nullptr) {
-      if (needed && count_ > 0) reject(std::string("has no point array ") + name, "particle files need Id and Type");
-      return {};
-    }
+    if (array == nullptr) return {};
     if (array->GetNumberOfComponents() != components) {
       reject(std::string("array ") + name + " has " + std::to_string(array->GetNumberOfComponents()) + " components",
              "it needs " + std::to_string(components));
@@ -129,35 +139,36 @@ class Reader {
     return converted<T>(array);
   }
 
-  template <class E>
-  std::vector<E> enumeration(const char* name, bool needed) const {
-    const std::vector<int> numbers = values<int>(name, 1, needed);
-    std::vector<E> result(numbers.size());
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  void read(const char* name, std::vector<Number>& array) const { array = values<Number>(name, 1); }
+
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void read(const char* name, std::vector<Enum>& array) const {
+    const std::vector<int> numbers = values<int>(name, 1);
+    array.resize(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (numbers[i] < 0 || numbers[i] > 3) {
         reject(
             std::string("array ") + name + " holds " + std::to_string(numbers[i]) + " at particle " + std::to_string(i),
             "it must be 0 to 3, see docs/file-formats.md");
       }
-      result[i] = static_cast<E>(numbers[i]);
+      array[i] = static_cast<Enum>(numbers[i]);
     }
-    return result;
   }
 
-  std::vector<Eigen::Vector3f> vectors(const char* name) const {
-    const std::vector<float> flat = values<float>(name, 3, false);
-    std::vector<Eigen::Vector3f> result(flat.size() / 3);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
-    return result;
+  void read(const char* name, std::vector<Eigen::Vector3f>& array) const {
+    const std::vector<float> flat = values<float>(name, 3);
+    array.resize(flat.size() / 3);
+    for (std::size_t i = 0; i < array.size(); ++i) array[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
   }
 
-  std::vector<float> mass() {
-    std::vector<float> mass = values<float>(particle_names::mass, 1, false);
+  // A mass that all particles have is one number in the field data.
+  std::vector<float> constant_mass() {
     auto* constant = vtkDataArray::SafeDownCast(field(particle_names::mass));
-    if (mass.empty() && constant != nullptr && constant->GetNumberOfTuples() == 1) {
-      mass.assign(count_, static_cast<float>(constant->GetComponent(0, 0)));
-    }
-    return mass;
+    if (constant == nullptr || constant->GetNumberOfTuples() != 1) return {};
+    return std::vector<float>(count_, static_cast<float>(constant->GetComponent(0, 0)));
   }
 
   void positions(ParticleSet& set) const {
@@ -172,20 +183,16 @@ class Reader {
     }
   }
 
-  void further(ParticleSet& set) const {
-    constexpr std::array known{particle_names::id,       particle_names::type,      particle_names::state,
-                               particle_names::velocity, particle_names::density,   particle_names::pressure,
-                               particle_names::mass,     particle_names::viscosity, particle_names::normal};
+  // Every array that is no member of ParticleSet, under its own name.
+  void read_further(ParticleSet& set, const std::set<std::string>& members) const {
     vtkPointData* arrays = data_->GetPointData();
     for (int i = 0; i < arrays->GetNumberOfArrays(); ++i) {
       vtkDataArray* array = arrays->GetArray(i);
-      if (array == nullptr || array->GetName() == nullptr) continue;
-      const std::string name = array->GetName();
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      if (array == nullptr || array->GetName() == nullptr || members.contains(array->GetName())) continue;
       if (array->GetDataType() == VTK_FLOAT) {
-        set.scalars[name] = converted<float>(array);
+        set.scalars[array->GetName()] = converted<float>(array);
       } else {
-        set.doubles[name] = converted<double>(array);
+        set.doubles[array->GetName()] = converted<double>(array);
       }
     }
   }

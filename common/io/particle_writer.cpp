@@ -11,17 +11,20 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
+#include <type_traits>
 
 #include "common/error.hpp"
 #include "common/io/particle_names.hpp"
 #include "common/io/poly_data_file.hpp"
+#include "common/particle_arrays.hpp"
 
 namespace thalweg {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A VTK array over memory that somebody else owns and only the writer reads.
+// A VTK array over memory that the particle set owns and the writer only reads.
 template <class T>
 vtkSmartPointer<vtkAOSDataArrayTemplate<T>> view(const char* name, const T* data, std::size_t values, int components) {
   auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<T>>::New();
@@ -38,25 +41,35 @@ class Writer {
   vtkSmartPointer<vtkPolyData> poly_data(PositionPrecision precision) {
     points(precision);
     vertices();
-    const ParticleSet& p = particles_;
-    array(particle_names::id, p.id.data(), p.id.size(), 1);
-    array(particle_names::type, reinterpret_cast<const unsigned char*>(p.type.data()), p.type.size(), 1);
-    array(particle_names::state, reinterpret_cast<const unsigned char*>(p.state.data()), p.state.size(), 1);
-    array(particle_names::velocity, p.velocity.empty() ? nullptr : p.velocity.front().data(), p.velocity.size() * 3, 3);
-    array(particle_names::density, p.density.data(), p.density.size(), 1);
-    array(particle_names::pressure, p.pressure.data(), p.pressure.size(), 1);
-    mass();
-    array(particle_names::viscosity, p.viscosity.data(), p.viscosity.size(), 1);
-    array(particle_names::normal, p.normal.empty() ? nullptr : p.normal.front().data(), p.normal.size() * 3, 3);
-    for (const auto& [name, values] : p.scalars) further(name, values);
-    for (const auto& [name, values] : p.doubles) further(name, values);
+    for_each_array(particles_, [&](const char* name, const auto& values) {
+      if (name == std::string_view(particle_names::mass) && has_one_mass()) {
+        add_fact(data_, name, particles_.mass.front());
+      } else {
+        add(name, values);
+      }
+    });
+    for (const auto& [name, values] : particles_.scalars) add_further(name, values);
+    for (const auto& [name, values] : particles_.doubles) add_further(name, values);
     add_facts(data_, particles_.info);
+    if (const auto& node = particles_.info.lattice_node) add_fact(data_, particle_names::lattice_node, *node);
     return data_;
   }
 
  private:
   [[noreturn]] void reject(const std::string& name, const std::string& what) const {
     throw RunError(file_.string() + ": cannot be written: array " + name + " " + what);
+  }
+
+  template <class T>
+  void add(const char* name, const std::vector<T>& values) {
+    if constexpr (std::is_enum_v<T>) {
+      array(name, reinterpret_cast<const std::underlying_type_t<T>*>(values.data()), values.size(), 1);
+    } else {
+      array(name, values.data(), values.size(), 1);
+    }
+  }
+  void add(const char* name, const std::vector<Eigen::Vector3f>& values) {
+    array(name, values.empty() ? nullptr : values.front().data(), 3 * values.size(), 3);
   }
 
   template <class T>
@@ -68,8 +81,9 @@ class Writer {
     data_->GetPointData()->AddArray(view(name, values, count, components));
   }
 
+  // An array of `scalars` or `doubles`, with as many components as its size tells.
   template <class T>
-  void further(const std::string& name, const std::vector<T>& values) {
+  void add_further(const std::string& name, const std::vector<T>& values) {
     if (data_->GetPointData()->HasArray(name.c_str()) != 0) reject(name, "has the name of another array");
     const std::size_t components =
         particles_.size() == 0 ? 1 : std::max<std::size_t>(1, values.size() / particles_.size());
@@ -107,15 +121,11 @@ class Writer {
     data_->SetVerts(cells);
   }
 
-  void mass() {
+  // A mass that all particles have is written once.
+  [[nodiscard]] bool has_one_mass() const {
     const std::vector<float>& mass = particles_.mass;
-    const bool constant = !mass.empty() && mass.size() == particles_.size() &&
-                          std::all_of(mass.begin(), mass.end(), [&](float value) { return value == mass.front(); });
-    if (constant) {
-      add_fact(data_, particle_names::mass, mass.front());
-    } else {
-      array(particle_names::mass, mass.data(), mass.size(), 1);
-    }
+    return !mass.empty() && mass.size() == particles_.size() &&
+           std::all_of(mass.begin(), mass.end(), [&](float value) { return value == mass.front(); });
   }
 
   const fs::path& file_;

@@ -34,6 +34,14 @@ void add_text(vtkPolyData* data, const char* name, const std::string& value) {
 
 void add_fact(vtkPolyData* data, const char* name, float value) { add_number(data, name, value); }
 
+void add_fact(vtkPolyData* data, const char* name, const Vec3& value) {
+  vtkNew<vtkAOSDataArrayTemplate<double>> one;
+  one->SetName(name);
+  one->SetNumberOfComponents(3);
+  one->InsertNextTuple(value.data());
+  data->GetFieldData()->AddArray(one);
+}
+
 void add_facts(vtkPolyData* data, const ParticleFileInfo& info) {
   add_number(data, particle_names::time, info.time);
   add_number<vtkTypeInt64>(data, particle_names::step, info.step);

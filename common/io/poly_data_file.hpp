@@ -8,14 +8,16 @@
 
 namespace thalweg {
 
-/// Adds a single number to the field data.
+/// Adds a number, or a point [m] as one entry of three components, to the field data.
 void add_fact(vtkPolyData* data, const char* name, float value);
+void add_fact(vtkPolyData* data, const char* name, const Vec3& value);
 
-/// Adds what `info` says to the field data, under the names of docs/file-formats.md.
+/// Adds the facts of `info` that every file of a scene has to the field data, under the names of docs/file-formats.md.
+/// The lattice node is left to particle files.
 void add_facts(vtkPolyData* data, const ParticleFileInfo& info);
 
-/// Writes VTK XML PolyData as all our files are (inline binary, zlib, 64-bit headers), whole or not at all. Throws
-/// RunError naming file and cause.
+/// Writes VTK XML PolyData in the encoding of all our files (inline binary, zlib, 64-bit headers), whole or not at all.
+/// Throws RunError naming file and cause.
 void write_poly_data(const std::filesystem::path& file, vtkPolyData* data);
 
 }  // namespace thalweg

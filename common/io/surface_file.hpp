@@ -10,15 +10,15 @@
 
 namespace thalweg {
 
-/// Polygons over common points, as files hold them.
+/// Polygons that share points, as in a mesh file.
 struct PolygonSoup {
   std::vector<Vec3> points;  // in the file's unit
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-/// Polylines with a number each, to look at beside particles.
+/// Polylines with a number each, to be shown beside particles.
 struct LineSet {
-  std::string number_name;               // of the array that tells the lines apart
+  std::string number_name;               // name of the array with the numbers
   std::vector<std::vector<Vec3>> lines;  // [m]
   std::vector<int> numbers;              // one for each line
 };

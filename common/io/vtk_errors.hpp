@@ -7,7 +7,7 @@
 
 namespace thalweg {
 
-/// Collects what a VTK object would print to stderr, so that it can become one message of ours.
+/// Collects the errors that a VTK object would print to stderr, so that they can become one message of ours.
 class VtkErrors : public vtkCommand {
  public:
   static VtkErrors* New() { return new VtkErrors; }

@@ -151,10 +151,12 @@ void bounds(const Case& from, const ParticleSet& particles, Vec<Dim, double>& lo
   }
 }
 
-/// A node of the lattice the scene was filled on: a wall particle, which stays there, or else by gencase's convention
-/// half a spacing inside the domain.
+/// A node of the lattice the scene was filled on, as the particle file names it. For files that do not (of earlier
+/// versions, or of other programs) it is the place of the fixed wall particle with the lowest id, which gencase names
+/// too, or without fixed walls the point half a spacing inside the domain.
 template <int Dim>
 Vec<Dim, double> lattice_node(const Case& from, const ParticleSet& particles) {
+  if (particles.info.lattice_node) return in_dimension<Dim>(*particles.info.lattice_node);
   std::size_t wall = particles.size();
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const bool first = wall == particles.size() || particles.id[i] < particles.id[wall];

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
@@ -17,6 +18,12 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
+/// The text of a particle file with one of its arrays under another name.
+std::string renamed(std::string text, const std::string& array, const std::string& to) {
+  const std::string attribute = "Name=\"" + array + '"';
+  return text.replace(text.find(attribute), attribute.size(), "Name=\"" + to + '"');
+}
+
 class InTemporaryFolder : public ::testing::Test {
  protected:
   InTemporaryFolder() { std::filesystem::create_directories(folder); }
@@ -25,13 +32,13 @@ class InTemporaryFolder : public ::testing::Test {
       std::filesystem::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-using ParticleFile = InTemporaryFolder;
 using Series = InTemporaryFolder;
 
 // Values that lose something under any rounding or conversion: thirds, denormals, a negative zero, ids beyond 2^53.
 ParticleSet awkward_particles(std::size_t n) {
   ParticleSet set;
   set.info = {"flume", "0.1.0-7-gabc", "0123456789abcdef", 3, 1.0 / 3.0 * 1e-2, 0.0075, 0.1, 123456789012345};
+  set.info.lattice_node = Vec3(1.0 / 3.0, -0.0, 1e-300);
   for (std::size_t i = 0; i < n; ++i) {
     const auto k = static_cast<float>(i);
     set.id.push_back((std::int64_t{1} << 53) + 1 + static_cast<std::int64_t>(i));
@@ -52,6 +59,17 @@ ParticleSet awkward_particles(std::size_t n) {
   return set;
 }
 
+class ParticleFile : public InTemporaryFolder {
+ protected:
+  std::string written_text() const {
+    write_particles(folder / "written.vtp", awkward_particles(4), PositionPrecision::double_precision);
+    std::ostringstream text;
+    text << std::ifstream(folder / "written.vtp").rdbuf();
+    return text.str();
+  }
+  void write_text(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+};
+
 template <class T>
 void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   ASSERT_EQ(a.size(), b.size());
@@ -69,6 +87,7 @@ void expect_same(const ParticleSet& a, const ParticleSet& b) {
   EXPECT_EQ(a.info.smoothing_length, b.info.smoothing_length);
   EXPECT_EQ(a.info.time, b.info.time);
   EXPECT_EQ(a.info.step, b.info.step);
+  EXPECT_EQ(a.info.lattice_node, b.info.lattice_node);
   expect_same_bits(a.id, b.id);
   expect_same_bits(a.type, b.type);
   expect_same_bits(a.state, b.state);
@@ -154,6 +173,29 @@ TEST_F(ParticleFile, ReadsTheFactsAlone) {
   EXPECT_EQ(info.case_name, "flume");
   EXPECT_EQ(info.step, written.info.step);
   EXPECT_EQ(info.time, 0.1);
+}
+
+// Files of earlier versions and of other programs name no node of the lattice.
+TEST_F(ParticleFile, NeedsNoLatticeNode) {
+  ParticleSet written = awkward_particles(5);
+  written.info.lattice_node.reset();
+  write_particles(folder / "p.vtp", written, PositionPrecision::double_precision);
+  expect_same(written, read_particles(folder / "p.vtp"));
+}
+
+TEST_F(ParticleFile, RefusesALatticeNodeThatIsNoPoint) {
+  const std::string text = written_text();
+  write_text("number.vtp", renamed(renamed(text, "LatticeNode", "Other"), "Spacing", "LatticeNode"));
+  EXPECT_THAT(message_of(folder / "number.vtp"),
+              HasSubstr("LatticeNode in its field data is no point; give one entry"));
+}
+
+TEST_F(ParticleFile, NeedsIdsAndTypes) {
+  for (const std::string name : {"Id", "Type"}) {
+    write_text("other.vtp", renamed(written_text(), name, "Other"));
+    EXPECT_THAT(message_of(folder / "other.vtp"),
+                HasSubstr("has no point array " + name + "; particle files need Id and Type"));
+  }
 }
 
 TEST_F(ParticleFile, WorksInFoldersWithSpacesAndLeavesNothingElseBehind) {
