@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 /// Names of the facts in a particle file's field data (docs/file-formats.md). The names of its arrays stand in
 /// common/particle_arrays.hpp.
 namespace thalweg::particle_names {
@@ -14,5 +16,8 @@ inline constexpr const char* smoothing = "SmoothingLength";
 inline constexpr const char* time = "TimeValue";
 inline constexpr const char* step = "Step";
 inline constexpr const char* lattice_node = "LatticeNode";
+
+/// The facts that are numbers of ParticleFileInfo or ParticleSet; further ones are ParticleSet::facts.
+inline constexpr std::array<const char*, 7> numbers{mass, dimension, spacing, smoothing, time, step, lattice_node};
 
 }  // namespace thalweg::particle_names

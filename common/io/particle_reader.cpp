@@ -12,7 +12,9 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <set>
+#include <string_view>
 #include <type_traits>
 
 #include "common/error.hpp"
@@ -62,6 +64,7 @@ class Reader {
     if (count_ > 0 && set.type.empty()) reject("has no point array Type", "particle files need Id and Type");
     if (set.mass.empty()) set.mass = constant_mass();
     read_further(set, members);
+    read_facts(set);
     return set;
   }
 
@@ -194,6 +197,18 @@ class Reader {
       } else {
         set.doubles[array->GetName()] = converted<double>(array);
       }
+    }
+  }
+
+  // Every list of doubles in the field data that ParticleFileInfo does not know.
+  void read_facts(ParticleSet& set) const {
+    vtkFieldData* facts = data_->GetFieldData();
+    for (int i = 0; i < facts->GetNumberOfArrays(); ++i) {
+      vtkDataArray* array = facts->GetArray(i);
+      if (array == nullptr || array->GetName() == nullptr || array->GetDataType() != VTK_DOUBLE) continue;
+      const auto is_name = [&](const char* name) { return std::string_view(name) == array->GetName(); };
+      if (std::any_of(particle_names::numbers.begin(), particle_names::numbers.end(), is_name)) continue;
+      set.facts[array->GetName()] = converted<double>(array);
     }
   }
 

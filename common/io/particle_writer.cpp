@@ -2,6 +2,7 @@
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -52,6 +53,9 @@ class Writer {
     for (const auto& [name, values] : particles_.doubles) add_further(name, values);
     add_facts(data_, particles_.info);
     if (const auto& node = particles_.info.lattice_node) add_fact(data_, particle_names::lattice_node, *node);
+    for (const auto& [name, numbers] : particles_.facts) {
+      data_->GetFieldData()->AddArray(view(name.c_str(), numbers.data(), numbers.size(), 1));
+    }
     return data_;
   }
 
