@@ -110,7 +110,7 @@ struct Bed {
 
   template <class Body>
   void sweep(ClusterRange range, const Body& body) {
-    on.template sweep<Dim>(p.list(), range, p.record.data(), scene.lattice.quantum, body);
+    on.template sweep<Dim>(p.list(), range, p.record.data(), scene.metric(), body);
   }
   template <class Body, class T, class Add>
   void sweep_and_sum(ClusterRange range, const Body& body, const T& zero, const Add& add) {
@@ -119,7 +119,7 @@ struct Bed {
   template <class From, class Body, class T, class Add>
   void sweep_and_sum(ClusterRange range, const From* from, const Body& body, const T& zero, const Add& add) {
     T sum = zero;
-    on.template sweep_then<Dim>(p.list(), range, from, scene.lattice.quantum, body, zero, add,
+    on.template sweep_then<Dim>(p.list(), range, from, scene.metric(), body, zero, add,
                                 [&](const T& found) { sum = found; });
     benchmark::DoNotOptimize(sum);
   }

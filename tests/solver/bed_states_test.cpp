@@ -45,7 +45,7 @@ bool in_the_middle(const test::Loaded<2>& l, Index i) {
 }
 /// Layers below the surface, 0 the top one; -1 in the water.
 int layer_of(const test::Loaded<2>& l, Index i) {
-  if (l.p.record[i].phase != phase_sediment) return -1;
+  if (!is_sediment(l.p.record[i])) return -1;
   return static_cast<int>((bed_height - l.p.position[i].x[2]) / l.scene.spacing);
 }
 
@@ -66,10 +66,10 @@ TEST(BedStates, SeeTheTopLayerAsSurfaceAndTheWaterOverIt) {
       EXPECT_LT(s.water_height, 1.5 * l.scene.spacing);
       const float u = friction_velocity(0.6F, s.water_height, 1e-6F, 3.5e-3F).friction_velocity;
       EXPECT_NEAR(s.shear_stress, 1000 * u * u, 1e-2 * s.shear_stress);
-      EXPECT_EQ(l.p.record[i].state, state_bed_load);
+      EXPECT_EQ(l.p.record[i].kind, kind::bed_load);
     } else {
       EXPECT_GT(s.water_share > 0 ? s.fill : 1, 0.95);
-      EXPECT_EQ(l.p.record[i].state, state_deposit);
+      EXPECT_EQ(l.p.record[i].kind, kind::deposit);
     }
   }
   EXPECT_EQ(tops, 10);
@@ -108,7 +108,7 @@ TEST(BedStates, StartToMoveAtTheCriticalStress) {
     Index top = 0;
     while (!in_the_middle(l, top) || layer_of(l, top) != 0) ++top;
     const BedSurface& s = l.p.bed[top];
-    EXPECT_EQ(l.p.record[top].state == state_bed_load, s.shear_stress > s.critical_stress);
+    EXPECT_EQ(l.p.record[top].kind == kind::bed_load, s.shear_stress > s.critical_stress);
     return s.shear_stress > s.critical_stress;
   };
   EXPECT_FALSE(moved(0.1F));
@@ -120,22 +120,22 @@ TEST(BedStates, BecomeDepositAgainAfterTheReturnTime) {
   auto l = load_bed(eroding_scene(), 0);
   Index top = 0;
   while (!in_the_middle(l, top) || layer_of(l, top) != 0) ++top;
-  l.p.record[top].state = state_bed_load;
+  l.p.record[top].kind = kind::bed_load;
   const double dt = 1e-3;
   int steps = 0;
-  while (l.p.record[top].state == state_bed_load && steps < 100) {
+  while (l.p.record[top].kind == kind::bed_load && steps < 100) {
     update_states(l, l.scene, dt);
     ++steps;
   }
-  EXPECT_EQ(l.p.record[top].state, state_deposit);
+  EXPECT_EQ(l.p.record[top].kind, kind::deposit);
   EXPECT_NEAR(steps, 19, 1.5);
 
   // As printed there is no way back.
   auto printed = load_bed(eroding_scene(), 0);
   printed.scene.erosion.as_printed = true;
-  printed.p.record[top].state = state_bed_load;
+  printed.p.record[top].kind = kind::bed_load;
   for (int k = 0; k < 100; ++k) update_states(printed, printed.scene, dt);
-  EXPECT_EQ(printed.p.record[top].state, state_bed_load);
+  EXPECT_EQ(printed.p.record[top].kind, kind::bed_load);
 }
 
 TEST(BedStates, LiftADiluteGrainAndLetItSettle) {
@@ -155,32 +155,32 @@ TEST(BedStates, LiftADiluteGrainAndLetItSettle) {
   while (l.p.id[i] != static_cast<std::int64_t>(grain)) ++i;
   Record& r = l.p.record[i];
 
-  r.state = state_bed_load;
+  r.kind = kind::bed_load;
   r.velocity[0] = 0.9F;
   update_states(l, scene, 1e-4);
   ASSERT_LE(l.p.bed[i].concentration, 0.312);
-  EXPECT_EQ(r.state, state_bed_load) << "it moves along the bed, not away from it";
+  EXPECT_EQ(r.kind, kind::bed_load) << "it moves along the bed, not away from it";
   r.velocity[2] = 0.2F;
   update_states(l, scene, 1e-4);
-  EXPECT_EQ(r.state, state_suspended);
+  EXPECT_EQ(r.kind, kind::suspended);
   update_states(l, scene, 1e-4);
-  EXPECT_EQ(r.state, state_suspended) << "nothing has changed";
+  EXPECT_EQ(r.kind, kind::suspended) << "nothing has changed";
   r.velocity[0] = 0.05F;
   r.velocity[2] = 0.05F;
   update_states(l, scene, 1e-4);
-  EXPECT_EQ(r.state, state_suspended) << "slow, but rising";
+  EXPECT_EQ(r.kind, kind::suspended) << "slow, but rising";
   r.velocity[2] = -0.05F;
   update_states(l, scene, 1e-4);
-  EXPECT_EQ(r.state, state_bed_load);
+  EXPECT_EQ(r.kind, kind::bed_load);
 
   // As printed, rising slowly is settling: one state in this step, another in the next.
   Scene<2> printed = scene;
   printed.erosion.as_printed = true;
   r.velocity[2] = 0.05F;
   update_states(l, printed, 1e-4);
-  EXPECT_EQ(r.state, state_suspended);
+  EXPECT_EQ(r.kind, kind::suspended);
   update_states(l, printed, 1e-4);
-  EXPECT_EQ(r.state, state_bed_load);
+  EXPECT_EQ(r.kind, kind::bed_load);
 }
 
 TEST(BedStates, TakeTheNearestWaterWhenAskedTo) {

@@ -76,13 +76,13 @@ DeviceScene mixture() {
   scene.seepage.solids_at_rest = 0.55F;
   scene.seepage.grain_diameter = 3.5e-3F;
   scene.seepage.skeleton_stiffness = 0.55F * 540 * 20 * 20;
-  scene.seepage.fast_wave = std::sqrt(1 + 0.55 * 1000 / (0.45 * 1540));
+  scene.fast_wave = std::sqrt(1 + 0.55 * 1000 / (0.45 * 1540));
   ParticleSet& p = s.particles;
   const std::size_t n = p.size();
   const double cell = scene.spacing * scene.spacing;
   for (std::size_t i = 0; i < n; ++i) {
     if (p.type[i] != ParticleType::sediment) continue;
-    p.density[i] = scene.density_in_files(phase_sediment);
+    p.density[i] = density_in_files(scene, kind::deposit);
     p.mass[i] = static_cast<float>(0.55 * 1540 * cell);
     p.id.push_back(static_cast<std::int64_t>(p.id.size()));
     p.type.push_back(ParticleType::water);
@@ -116,9 +116,9 @@ std::vector<DeviceScene> device_scenes() {
           with(slump, "capped viscosity", [](Scene<2>& s) { s.viscosity = ViscosityTreatment::capped; }),
           with(slump, "wall friction", [](Scene<2>& s) { s.wall_friction = true; }),
           with(slump, "pore pressure", [](Scene<2>& s) {
-            s.seepage.pore_pressure = true;
-            s.seepage.consolidation = 1e-3F;
-            s.seepage.pore_stiffness = 1300.0F * 20 * 20;
+            s.pores.on = true;
+            s.pores.consolidation = 1e-3F;
+            s.pores.stiffness = 1300.0F * 20 * 20;
           })};
 }
 

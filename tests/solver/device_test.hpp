@@ -17,12 +17,12 @@ namespace thalweg::test {
 template <class T, class Device>
 typename Device::template Buffer<T> buffer_of(Device& on, std::vector<T> numbers) {
   typename Device::template Buffer<T> buffer;
-  on.put(HostBuffer<T>(numbers.begin(), numbers.end()), buffer);
+  on.upload(HostBuffer<T>(numbers.begin(), numbers.end()), buffer);
   return buffer;
 }
 template <class T, class Device>
 std::vector<T> numbers_in(Device& on, const typename Device::template Buffer<T>& buffer) {
-  const auto numbers = on.on_host(buffer);
+  const auto numbers = on.download(buffer);
   return {numbers.begin(), numbers.end()};
 }
 
@@ -80,7 +80,7 @@ TYPED_TEST_P(OnDevice, KeepsWhatABufferHoldsWhenItGrows) {
   TypeParam on;
   auto buffer = buffer_of<std::int64_t>(on, {1, 2, 3});
   buffer.resize(1000);
-  EXPECT_EQ(on.on_host(buffer, 1, 3)[1], 3);
+  EXPECT_EQ(on.download(buffer, 1, 3)[1], 3);
   buffer.resize(2);
   EXPECT_EQ(numbers_in<std::int64_t>(on, buffer), (std::vector<std::int64_t>{1, 2}));
   on.fill(buffer, 5, std::int64_t{9});
@@ -124,22 +124,22 @@ TYPED_TEST_P(OnDevice, AddsUpAndGoesOnWithoutTheHost) {
   sum.resize(1);
   on.for_each(100000, Square{numbers.data()});
   on.reduce_then(100000, std::int64_t{0}, Entry{numbers.data()}, Plus{}, Store{sum.data()});
-  EXPECT_EQ(on.look(sum.data()), std::int64_t{333328333350000});
+  EXPECT_EQ(on.read(sum.data()), std::int64_t{333328333350000});
   on.reduce_then(0, std::int64_t{7}, Entry{numbers.data()}, Plus{}, Store{sum.data()});
-  EXPECT_EQ(on.look(sum.data()), 7);
+  EXPECT_EQ(on.read(sum.data()), 7);
 }
 
 TYPED_TEST_P(OnDevice, DoesNothingWhileAFlagIsDown) {
   TypeParam on;
   auto flag = buffer_of<int>(on, {0});
   auto numbers = buffer_of<std::int64_t>(on, {1, 1, 1});
-  on.only_if(flag.data());
+  on.skip_unless(flag.data());
   on.for_each(3, Square{numbers.data()});
   on.reduce_then(3, std::int64_t{0}, Entry{numbers.data()}, Plus{}, Store{numbers.data()});
   EXPECT_EQ(numbers_in<std::int64_t>(on, numbers), (std::vector<std::int64_t>{1, 1, 1}));
-  on.send(1, flag.data());
+  on.write(1, flag.data());
   on.for_each(3, Square{numbers.data()});
-  EXPECT_EQ(on.only_if(nullptr), flag.data());
+  EXPECT_EQ(on.skip_unless(nullptr), flag.data());
   EXPECT_EQ(numbers_in<std::int64_t>(on, numbers), (std::vector<std::int64_t>{0, 1, 4}));
 }
 
@@ -148,15 +148,15 @@ TYPED_TEST_P(OnDevice, RepeatsWhatItWasAskedForBefore) {
   auto numbers = buffer_of<std::int64_t>(on, {0});
   auto flag = buffer_of<int>(on, {1});
   const auto add = [&] {
-    on.only_if(flag.data());
+    on.skip_unless(flag.data());
     on.for_each(1, AddTo{numbers.data(), 3});
-    on.only_if(nullptr);
+    on.skip_unless(nullptr);
   };
   for (const std::uint64_t key : {0, 1, 1, 1, 2, 2, 0, 1}) on.repeat(key, add);
-  EXPECT_EQ(on.look(numbers.data()), 24);
-  on.send(0, flag.data());  // what the launches read is read when they are made
+  EXPECT_EQ(on.read(numbers.data()), 24);
+  on.write(0, flag.data());  // what the launches read is read when they are made
   on.repeat(1, add);
-  EXPECT_EQ(on.look(numbers.data()), 24);
+  EXPECT_EQ(on.read(numbers.data()), 24);
 }
 
 TYPED_TEST_P(OnDevice, SortsStablyAndReorders) {

@@ -50,7 +50,7 @@ inline Scene<2> scene_of(const Column& c) {
   s.seepage.solids_at_rest = static_cast<float>(solids);
   s.seepage.grain_diameter = static_cast<float>(diameter);
   s.seepage.skeleton_stiffness = static_cast<float>(solids * (grain_density - 1000) * c.sound_speed * c.sound_speed);
-  s.seepage.fast_wave = std::sqrt(1 + solids * 1000 / (c.porosity_packed * grain_density));
+  s.fast_wave = std::sqrt(1 + solids * 1000 / (c.porosity_packed * grain_density));
   return s;
 }
 
@@ -81,7 +81,7 @@ inline ParticleSet fill(const Column& c, const Scene<2>& scene, bool open_above)
     const double mixed = c.porosity * 1000 + (1 - c.porosity) * grain_density;
     const double pressure = mixed * -double(c.gravity[1]) * (c.height - x.z());
     const double water = 1000 * std::pow(1 + 7 * pressure / (1000 * c.sound_speed * c.sound_speed), 1.0 / 7);
-    add(ParticleType::sediment, x, double(scene.density_in_files(phase_sediment)),
+    add(ParticleType::sediment, x, double(density_in_files(scene, kind::deposit)),
         (1 - c.porosity) * grain_density * cell);
     add(ParticleType::water, x, water, c.porosity * water * cell);
   }

@@ -1,4 +1,4 @@
-#include "solver/models/seepage/mixture.hpp"
+#include "solver/models/seepage/porosity.hpp"
 
 #include "mixture_scenes.hpp"
 

@@ -251,7 +251,7 @@ TEST(MovingWalls, WakeTheSedimentInTheirReachAndNoOther) {
   const WallMotion motion{{{0, 0, 1}, {0, 0, 0}, false}, {{1, 0, 1e-3}}};
   load_motions(on, p, {motion}, set);
   rebuild_lists(on, p, scene);
-  for (Index i = 0; i < p.fluid_count; ++i) p.record[i].state = state_resting;
+  for (Index i = 0; i < p.fluid_count; ++i) p.record[i].kind = kind::resting;
 
   hold_walls(on, p, scene, {motion}, 0.5);
   list_active_clusters(on, p);
@@ -266,7 +266,7 @@ TEST(MovingWalls, WakeTheSedimentInTheirReachAndNoOther) {
   for (Index i = 0; i < p.fluid_count; ++i) {
     const double to_wall = p.position[i].x[0] - 0.035;  // nearest column of wall particles
     EXPECT_EQ(is_resting(p.record[i]), to_wall >= support) << to_wall;
-    p.sediment[i].calm = 1;
+    p.sediment[i].time_below_yield = 1;
   }
   update_rest(on, p, scene, &state);
   for (Index i = 0; i < p.fluid_count; ++i) {

@@ -40,8 +40,8 @@ Layer make_layer(int rows, Above above, double jitter) {
   const bool periodic[2] = {true, false};
   scene.lattice = Lattice<2>(scene.domain_from, scene.domain_to, periodic, scene.list_reach);
   scene.has_sediment = true;
-  scene.seepage.pore_pressure = true;
-  scene.seepage.consolidation = static_cast<float>(consolidation);
+  scene.pores.on = true;
+  scene.pores.consolidation = static_cast<float>(consolidation);
   ParticleSet p = test::fill_lattice(
       scene,
       [](const Vec3& x) {
@@ -60,7 +60,7 @@ Layer make_layer(int rows, Above above, double jitter) {
   }
   Layer layer{test::load(scene, kept), {}};
   for (Index i = 0; i < layer.l.p.fluid_count; ++i) {
-    if (layer.l.p.record[i].phase == phase_sediment) layer.l.p.excess_pore_pressure[i] = 1;
+    if (is_sediment(layer.l.p.record[i])) layer.l.p.excess_pore_pressure[i] = 1;
   }
   return layer;
 }
@@ -79,7 +79,7 @@ double error_of(Layer layer, double per_step) {
   double error2 = 0;
   int count = 0;
   for (Index i = 0; i < l.p.fluid_count; ++i) {
-    if (l.p.record[i].phase != phase_sediment) continue;
+    if (!is_sediment(l.p.record[i])) continue;
     const double y = 1 - l.p.position[i].x[2] / height;
     error2 += std::pow(double(l.p.excess_pore_pressure[i]) - terzaghi(y, 0.2), 2);
     ++count;
@@ -112,8 +112,8 @@ TEST(PorePressure, IsKeptByASealedBed) {
   setup.periodic = true;
   Scene<2> scene = test::make_scene_of(setup);
   scene.has_sediment = true;
-  scene.seepage.pore_pressure = true;
-  scene.seepage.consolidation = 1e-3F;
+  scene.pores.on = true;
+  scene.pores.consolidation = 1e-3F;
   auto l = test::load(scene, test::fill_lattice(
                                  scene, [](const Vec3&) { return ParticleType::sediment; }, 0.2));
   double before = 0;
@@ -131,12 +131,12 @@ TEST(PorePressure, IsKeptByASealedBed) {
 
 TEST(PorePressure, RisesUndrainedWithTheCompressionOfTheBed) {
   Layer layer = make_layer(10, Above::water, 0);
-  layer.l.scene.seepage.consolidation = 0;
-  layer.l.scene.seepage.pore_stiffness = 5e5F;
+  layer.l.scene.pores.consolidation = 0;
+  layer.l.scene.pores.stiffness = 5e5F;
   for (Index i = 0; i < layer.l.p.fluid_count; ++i) layer.l.p.rates[i].excess_rate = 0.1F;
   advance_by(layer.l, layer.l.scene, layer.diffusion, 1e-3);
   for (Index i = 0; i < layer.l.p.fluid_count; ++i) {
-    const bool bed = layer.l.p.record[i].phase == phase_sediment;
+    const bool bed = is_sediment(layer.l.p.record[i]);
     EXPECT_NEAR(layer.l.p.excess_pore_pressure[i], bed ? 1 + 5e5 * 0.1 * 1e-3 : 0, 1e-4);
   }
 }

@@ -73,7 +73,7 @@ struct Setting {
     s.water.resize(p.count);
     s.strain.resize(p.count);
     const auto sweep = [&](const auto& body) {
-      on.template sweep<dim>(p.list(), p.all_fluid(), p.record.data(), scene.lattice.quantum, body);
+      on.template sweep<dim>(p.list(), p.all_fluid(), p.record.data(), scene.metric(), body);
     };
     sweep(Kept<Momentum, Real>{{p.record.data(), p.rates.data(), scene}, s.momentum.data()});
     sweep(Kept<Water, Real>{{p.record.data(), p.rates.data(), scene}, s.water.data()});
@@ -114,11 +114,11 @@ Reference plain_sums(const Record* records, Index count, const Scene<dim>& scene
     const double t = std::max(1 - std::sqrt(r2) * double(scene.kernel.half_inverse_h), 0.0);
     const double F = double(scene.kernel.gradient_factor) * t * t * t;
     const double V = b.volume;
-    const bool same = a.phase == b.phase;
-    const double rho0 = a.phase == phase_sediment ? scene.sediment_density : scene.water_density;
+    const bool same = same_phase(a, b);
+    const double rho0 = is_sediment(a) ? scene.sediment_density : scene.water_density;
     const double approach = std::min(u_dot_r, 0.0) / (r2 + double(scene.singularity));
     const double pi = same ? -rho0 * double(scene.artificial_viscosity) * approach : 0;
-    const double eta = same && a.phase == phase_water ? double(scene.water_viscosity) : 0;
+    const double eta = same && is_water(a) ? double(scene.water_viscosity) : 0;
     total.force.add(-V * F * (double(a.pressure) + double(b.pressure) + pi) * r[2] + V * F * 2 * eta * u[2]);
     total.compression.add(V * F * u_dot_r);
     if (same) total.diffusion.add(-V * (double(b.excess) - double(a.excess) + g_dot_r * double(per_c2)) * F);

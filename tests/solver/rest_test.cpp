@@ -42,8 +42,8 @@ TEST(Rest, GrowsFromWhatHoldsIt) {
   auto l = test::load(scene, test::fill_lattice(scene, bed_on_floor));
   Index sediment = 0;
   for (Index i = 0; i < l.p.fluid_count; ++i) {
-    l.p.sediment[i].calm = 1;
-    sediment += l.p.record[i].phase == phase_sediment ? 1 : 0;
+    l.p.sediment[i].time_below_yield = 1;
+    sediment += is_sediment(l.p.record[i]) ? 1 : 0;
   }
   test::update_rest_and_lists(l, scene, 1e-4);
   const Index first = resting_of(l);
@@ -60,7 +60,7 @@ TEST(Rest, IsNotForAClumpThatHoversInWater) {
       scene, test::fill_lattice(scene, [](const Vec3& x) {
         return x.z() < floor_height ? ParticleType::wall : x.z() > 0.12 ? ParticleType::sediment : ParticleType::water;
       }));
-  for (Index i = 0; i < l.p.fluid_count; ++i) l.p.sediment[i].calm = 1;
+  for (Index i = 0; i < l.p.fluid_count; ++i) l.p.sediment[i].time_below_yield = 1;
   for (int k = 0; k < 10; ++k) test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_EQ(resting_of(l), 0U);
 }
@@ -69,8 +69,8 @@ TEST(Rest, WaitsForTheNeighboursAndEndsWhereTheyShear) {
   const Scene<2> scene = resting_scene();
   auto l = test::load(scene, test::fill_lattice(scene, bed_on_floor));
   Index restless = 0;
-  while (l.p.record[restless].phase != phase_sediment || l.p.position[restless].x[2] > 0.05) ++restless;
-  for (Index i = 0; i < l.p.fluid_count; ++i) l.p.sediment[i].calm = 1;
+  while (!is_sediment(l.p.record[restless]) || l.p.position[restless].x[2] > 0.05) ++restless;
+  for (Index i = 0; i < l.p.fluid_count; ++i) l.p.sediment[i].time_below_yield = 1;
   l.p.sediment[restless].strain_rate = 1;
   for (int k = 0; k < 20; ++k) test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_FALSE(is_resting(l.p.record[restless]));
@@ -90,7 +90,7 @@ TEST(Rest, WaitsForTheNeighboursAndEndsWhereTheyShear) {
   l.p.sediment[woken].strain_rate = 0.07F;
   test::update_rest_and_lists(l, scene, 1e-4);
   EXPECT_FALSE(is_resting(l.p.record[woken]));
-  EXPECT_EQ(l.p.sediment[woken].calm, 0);
+  EXPECT_EQ(l.p.sediment[woken].time_below_yield, 0);
   // ... or its bed has become too steep.
   while (!is_resting(l.p.record[woken])) ++woken;
   l.p.sediment[woken].bed_slope = 0.61F;
@@ -115,22 +115,22 @@ TEST(Rest, WakesWithThePressureItHadBeforeAndNoVelocity) {
   std::vector<float> before(l.p.fluid_count);
   for (Index i = 0; i < l.p.fluid_count; ++i) {
     before[i] = l.p.record[i].pressure;
-    if (l.p.record[i].phase == phase_sediment && l.p.position[i].x[2] < 0.08) l.p.record[i].state = state_resting;
+    if (is_sediment(l.p.record[i]) && l.p.position[i].x[2] < 0.08) l.p.record[i].kind = kind::resting;
   }
   list_active_clusters(l.on, l.p);
   extrapolate_to_resting(l.on, l.p, scene);
-  int shore = 0;
+  int front = 0;
   for (Index i = 0; i < l.p.fluid_count; ++i) {
     Record& r = l.p.record[i];
     if (!is_resting(r) || l.p.position[i].x[2] < 0.06) continue;  // further down than a support: left alone
-    ++shore;
+    ++front;
     EXPECT_NEAR(r.pressure, before[i], 0.01 * before[i]);
     const float felt = r.pressure;
-    r.state = state_deposit;
+    r.kind = kind::deposit;
     apply_equation_of_state(l.on, l.p, scene);
     EXPECT_NEAR(r.pressure, felt, 1e-4 * felt) << "single precision of the density excess";
   }
-  EXPECT_GT(shore, 10);
+  EXPECT_GT(front, 10);
 }
 
 TEST(Rest, LeavesAStillBedOutOfEverySweep) {
@@ -155,7 +155,7 @@ TEST(Rest, LeavesAStillBedOutOfEverySweep) {
 
   EXPECT_EQ(resting_of(l), l.p.fluid_count);
   EXPECT_EQ(l.p.near_sediment().count, 0U) << "nothing is left to compute";
-  EXPECT_EQ(l.p.shore().count, 0U);
+  EXPECT_EQ(l.p.rest_front().count, 0U);
   for (Index i = 0; i < l.p.count; ++i) {
     const auto at = std::find(id.begin(), id.end(), l.p.id[i]) - id.begin();
     EXPECT_NEAR(l.p.position[i].x[2], start[static_cast<std::size_t>(at)], 0.05 * scene.spacing);

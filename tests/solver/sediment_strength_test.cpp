@@ -1,4 +1,4 @@
-#include "solver/models/bed/sediment_strength.hpp"
+#include "solver/models/bed/effective_pressure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(SedimentStrength, OfAFlatBedIsItsSubmergedWeight) {
   ColumnWeight<test::Device> weight;
   strengthen(l, scene, weight);
   for (Index i = 0; i < l.p.count; ++i) {
-    if (l.p.record[i].phase != phase_sediment) continue;
+    if (!is_sediment(l.p.record[i])) continue;
     const double expected = 300 * 9.81 * (0.1 - l.p.position[i].x[2]);
     EXPECT_NEAR(l.p.sediment[i].effective_pressure, expected, 1e-3 * 300 * 9.81 * 0.1);
     EXPECT_NEAR(l.p.sediment[i].yield_stress, 0.6 * expected + 2, 0.2);
@@ -60,7 +60,7 @@ TEST(SedimentStrength, FollowsASlope) {
   strengthen(l, scene, weight);
   for (Index i = 0; i < l.p.count; ++i) {
     const double x = l.p.position[i].x[0];
-    if (l.p.record[i].phase != phase_sediment || x < 0.05 || x > 0.15 || l.p.position[i].x[2] > 0.05) continue;
+    if (!is_sediment(l.p.record[i]) || x < 0.05 || x > 0.15 || l.p.position[i].x[2] > 0.05) continue;
     const double expected = 300 * 9.81 * (surface(x) - l.p.position[i].x[2]);
     EXPECT_NEAR(l.p.sediment[i].effective_pressure, expected, 0.35 * scene.spacing * 300 * 9.81);
   }
@@ -83,7 +83,7 @@ TEST(SedimentStrength, DoesNotFeelTheWaterAbove) {
     strengthen(l, scene, weight);
     pressures[run].resize(l.p.count);
     for (Index i = 0; i < l.p.fluid_count; ++i) {
-      if (l.p.record[i].phase == phase_sediment)
+      if (is_sediment(l.p.record[i]))
         pressures[run][static_cast<std::size_t>(l.p.id[i])] = l.p.sediment[i].effective_pressure;
     }
     ++run;
@@ -118,7 +118,7 @@ TEST(LaplacePressure, OfAFlatBedIsTheColumnsToALayersWeight) {
   const double layer = 300 * 9.81 * scene.spacing;
   double at_depth[10] = {};
   for (Index i = 0; i < l.p.fluid_count; ++i) {
-    if (l.p.record[i].phase != phase_sediment) continue;
+    if (!is_sediment(l.p.record[i])) continue;
     const double depth = 0.13 - l.p.position[i].x[2];
     const double offset = double(l.p.sediment[i].effective_pressure) - 300 * 9.81 * depth;
     EXPECT_GE(offset, 0.4 * layer) << depth;
@@ -180,7 +180,7 @@ TEST(PressureOfState, IsItsShareOfTheTotalPressure) {
   ColumnWeight<test::Device> weight;
   strengthen(l, scene, weight);
   for (Index i = 0; i < l.p.fluid_count; ++i) {
-    if (l.p.record[i].phase != phase_sediment) continue;
+    if (!is_sediment(l.p.record[i])) continue;
     const float share = (1 - 1000.0F / 1300.0F) * l.p.record[i].pressure;
     EXPECT_NEAR(l.p.sediment[i].effective_pressure, share > 0 ? share : 0, 1e-3);
   }

@@ -18,8 +18,8 @@ TEST_P(Permeameter, PassesErgunsFilterVelocity) {
   auto l = test::load(scene, fill(c, scene, false));
   Workspace<test::Device> work;
   run(l, work, 0.5);
-  const double grains = mean_velocity(l, phase_sediment, 0, 0, c.height).value();
-  const double filter = c.porosity * (mean_velocity(l, phase_water, 0, 0, c.height).value() - grains);
+  const double grains = mean_velocity(l, kind::deposit, 0, 0, c.height).value();
+  const double filter = c.porosity * (mean_velocity(l, kind::water, 0, 0, c.height).value() - grains);
   const double exact = c.porosity * steady_slip(c.porosity, diameter, 1000 * g * gradient, 1e-3, 1000);
   // The response time of 0.02 to 0.05 s is over. Sums over grains on a lattice depend on where in it the water flows,
   // by under a percent at h = 1.5 dp.
@@ -48,8 +48,8 @@ TEST_P(HinderedSettling, FallsAsTheDragLawImplies) {
   constexpr int samples = 10;
   for (int i = 0; i < samples; ++i) {
     run(l, work, 0.01);
-    fall += mean_velocity(l, phase_sediment, 2, 0.07, 0.13).value() / samples;
-    rise += mean_velocity(l, phase_water, 2, 0.07, 0.13).value() / samples;
+    fall += mean_velocity(l, kind::deposit, 2, 0.07, 0.13).value() / samples;
+    rise += mean_velocity(l, kind::water, 2, 0.07, 0.13).value() / samples;
   }
   const double n = c.porosity;
   const double slip = steady_slip(n, diameter, solids * (grain_density - 1000) * g, 1e-3, 1000);

@@ -60,13 +60,13 @@ Eigen::MatrixXd system_matrix(const test::Loaded<2, Device>& l, double dt) {
           std::hypot(double(a.velocity[0]) - double(o.velocity[0]), double(a.velocity[2]) - double(o.velocity[2]));
       const double interface = 2 * (1e-3 + 0.4 * 1000 * 0.205 * 0.205 * speed * l.scene.spacing);
       double eta = 0;
-      if (a.phase == phase_sediment && o.phase == phase_sediment) eta = double(a.viscosity) + double(o.viscosity);
-      if (a.phase == phase_sediment && o.phase == phase_wall) eta = 2 * double(a.viscosity);
-      if (a.phase + o.phase == phase_sediment + phase_water) eta = interface;
+      if (is_sediment(a) && is_sediment(o)) eta = double(a.viscosity) + double(o.viscosity);
+      if (is_sediment(a) && is_wall(o)) eta = 2 * double(a.viscosity);
+      if (a.phase + is_sediment(o) + kind::water) eta = interface;
       const double k = dt * -double(a.volume) * double(o.volume) * eta * F;
       A(i, i) += k;
       if (j < n) A(i, j) -= k;
-      if (o.phase == phase_wall) {
+      if (is_wall(o)) {
         walls.coefficients += static_cast<float>(k);
         walls.lever[0] += static_cast<float>(k * dx);
         walls.lever[1] += static_cast<float>(k * dz);
@@ -284,7 +284,7 @@ TEST(CappedViscosity, IsWhatTheStepCanTakeAndIsCounted) {
   l.scene.viscosity = ViscosityTreatment::capped;
   Index sediment = 0;
   for (Index i = 0; i < l.p.fluid_count; ++i) {
-    if (l.p.record[i].phase != phase_sediment) continue;
+    if (!is_sediment(l.p.record[i])) continue;
     l.p.record[i].viscosity = sediment % 3 == 0 ? 1e5F : 0.5F;
     ++sediment;
   }
@@ -292,7 +292,7 @@ TEST(CappedViscosity, IsWhatTheStepCanTakeAndIsCounted) {
   const ViscousResult result = apply_viscosity(l, system, 1e-4);
   EXPECT_EQ(result.capped, (sediment + 2) / 3);
   for (Index i = 0; i < l.p.fluid_count; ++i) {
-    if (l.p.record[i].phase == phase_sediment) {
+    if (is_sediment(l.p.record[i])) {
       EXPECT_LE(l.p.record[i].viscosity, 1300 * 0.125 * 0.015 * 0.015 / 1e-4 + 0.1);
     }
   }
