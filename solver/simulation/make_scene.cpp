@@ -10,6 +10,7 @@
 #include "physics/sediment/drucker_prager.hpp"
 #include "physics/seepage/consolidation.hpp"
 #include "physics/seepage/ergun.hpp"
+#include "physics/seepage/skeleton.hpp"
 #include "physics/transport/lift_settling.hpp"
 
 namespace thalweg {
@@ -106,9 +107,8 @@ SeepageScene make_seepage(const Case& from, double sound_speed) {
   if (out.mixture) {
     out.solids_at_rest = static_cast<float>(solids);
     out.grain_diameter = static_cast<float>(s.grain_diameter);
-    // A packing at rest is then compressed by g.r/c^2, as water is.
     out.skeleton_stiffness =
-        static_cast<float>(solids * (s.grain_density - s.pore_density) * sound_speed * sound_speed);
+        static_cast<float>(skeleton_stiffness(solids, s.grain_density, s.pore_density, sound_speed));
     // Both sets free of each other: c^2 (1 + phi rho_w/(n rho_grain)), the fastest wave (docs/theory.md).
     out.fast_wave = std::sqrt(1 + solids * s.pore_density / (s.porosity * s.grain_density));
   }
