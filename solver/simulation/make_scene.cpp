@@ -7,7 +7,8 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
-#include "physics/sediment/drucker_prager.hpp"
+#include "physics/sediment/effective_pressure.hpp"
+#include "physics/sediment/material.hpp"
 #include "physics/seepage/consolidation.hpp"
 #include "physics/seepage/ergun.hpp"
 #include "physics/seepage/skeleton.hpp"
@@ -30,24 +31,13 @@ SedimentScene make_sediment(const Case& from, double sound_speed) {
                      ": domain.gravity: the sediment's effective pressure is the weight of what lies "
                      "above in z; let gravity point along -z or switch model.sediment off");
   }
-  SedimentScene out;
-  const YieldFit fit = from.model.plane_strain_fit();
-  out.yield = from.model.yield;
-  out.rheology = from.model.rheology;
+  SedimentScene out{make_material<float>(s, {from.model.yield, from.model.yield_fit, from.model.rheology})};
   out.effective_pressure = from.model.effective_pressure;
-  out.yield_coefficient = static_cast<float>(yield_pressure_coefficient(s.friction_angle, fit));
-  out.yield_cohesion = static_cast<float>(yield_cohesion_term(s.cohesion, s.friction_angle, fit));
-  out.friction_tangent = static_cast<float>(std::tan(s.friction_angle));
-  out.regularisation = static_cast<float>(s.regularisation);
-  out.consistency = static_cast<float>(s.consistency);
-  out.flow_index = static_cast<float>(s.flow_index);
-  const double submerged_density = s.bed_density() - s.pore_density;
-  out.submerged_weight = static_cast<float>(submerged_density * -from.domain.gravity.z());
+  const double gravity = -from.domain.gravity.z();
+  out.submerged_weight = static_cast<float>(submerged_weight(s.bed_density(), s.pore_density, gravity));
   out.pore_stiffness = static_cast<float>(tait_stiffness(s.pore_density, sound_speed));
+  const double submerged_density = s.bed_density() - s.pore_density;
   out.laplace_tolerance = static_cast<float>(1e-4 * submerged_density * sound_speed * sound_speed / 100);
-  out.dynamic_coefficient = static_cast<float>(yield_pressure_coefficient(s.dynamic_friction_angle, fit));
-  out.inertia = {static_cast<float>(s.inertial_number), static_cast<float>(s.grain_diameter),
-                 static_cast<float>(s.grain_density)};
   return out;
 }
 

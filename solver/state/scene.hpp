@@ -3,8 +3,7 @@
 #include "physics/kernel.hpp"
 #include "physics/no_slip.hpp"
 #include "physics/sediment/effective_pressure.hpp"
-#include "physics/sediment/mohr_coulomb.hpp"
-#include "physics/sediment/mu_of_i.hpp"
+#include "physics/sediment/material.hpp"
 #include "physics/transport/bed_shear.hpp"
 #include "physics/water/equation_of_state.hpp"
 #include "physics/water/viscosity_treatment.hpp"
@@ -14,23 +13,12 @@
 
 namespace thalweg {
 
-/// Constants of the sediment as the passes use them.
-struct SedimentScene {
-  float yield_coefficient = 0;  // K [-]
-  float yield_cohesion = 0;     // [Pa]
-  float friction_tangent = 0;   // tan(phi) [-]
-  float regularisation = 0;     // [s]
-  float consistency = 0;        // [Pa s^n]
-  float flow_index = 1;         // [-]
-  float submerged_weight = 0;   // (rho_bed - rho_pore) g [N/m^3]
-
+/// Constants of the sediment as the passes use them: its law, and the effective pressure's.
+struct SedimentScene : SedimentMaterial<float> {
   EffectivePressure effective_pressure = EffectivePressure::column;
+  float submerged_weight = 0;   // (rho_bed - rho_pore) g [N/m^3]
   float pore_stiffness = 0;     // B_w [Pa], of the pressure from the equation of state
   float laplace_tolerance = 0;  // [Pa] change a sweep at which the iteration stops
-  YieldCriterion yield = YieldCriterion::drucker_prager;
-  Rheology rheology = Rheology::herschel_bulkley;
-  float dynamic_coefficient = 0;  // K of mu_2 [-]
-  InertialScale<float> inertia{};
 };
 
 /// Constants of erosion, suspension and settling as models/states/bed_states.hpp uses them.
