@@ -57,9 +57,13 @@ CaseFiles initial_fields(const FoamCase& foam_case) {
     files["0.orig/grains"] = field(foam_case, "volScalarField", "grains", "Volume share of suspended grains [-].",
                                    "[0 0 0 0 0 0 0]", "0", boundary(plan, "type zeroGradient;", open));
   }
-  if (foam_case.scene.foam.turbulence == FoamTurbulence::smagorinsky) {
-    files["0.orig/nut"] = field(foam_case, "volScalarField", "nut", "Eddy viscosity [m^2/s].", "[0 2 -1 0 0 0 0]", "0",
-                                boundary(plan, "type zeroGradient;", "type zeroGradient;"));
+  switch (foam_case.scene.foam.turbulence) {
+    case FoamTurbulence::smagorinsky:
+      files["0.orig/nut"] = field(foam_case, "volScalarField", "nut", "Eddy viscosity [m^2/s].", "[0 2 -1 0 0 0 0]",
+                                  "0", boundary(plan, "type zeroGradient;", "type zeroGradient;"));
+      break;
+    case FoamTurbulence::laminar:
+      break;
   }
   files["0.orig/U"] =
       field(foam_case, "volVectorField", "U", "Velocity [m/s]: at rest; no slip at walls.", "[0 1 -1 0 0 0 0]",

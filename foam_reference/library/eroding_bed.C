@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include <Enum.H>
 #include <Tuple2.H>
 #include <addToRunTimeSelectionTable.H>
 #include <gravityMeshObject.H>
 #include <surfaceFields.H>
 #include <zeroGradientFvPatchFields.H>
+#include "foam_reference/library/dictionary_choices.H"
 #include "foam_reference/library/suspended_grains.H"
 
 namespace Foam {
@@ -22,12 +22,12 @@ namespace {
 
 using thalweg::BedLoad;
 using thalweg::PickUp;
+using thalweg::foam::dictionary_choices;
 
 constexpr double far = std::numeric_limits<double>::max();
 
-const Enum<BedLoad> bed_load_names({{BedLoad::meyer_peter_mueller, "meyerPeterMueller"},
-                                    {BedLoad::van_rijn, "vanRijn"}});
-const Enum<PickUp> pick_up_names({{PickUp::mastbergen, "mastbergen"}, {PickUp::van_rijn, "vanRijn"}});
+const auto bed_loads = dictionary_choices(BedLoad::meyer_peter_mueller, BedLoad::van_rijn);
+const auto pick_ups = dictionary_choices(PickUp::mastbergen, PickUp::van_rijn);
 
 std::size_t at(int column) { return static_cast<std::size_t>(column); }
 
@@ -87,8 +87,8 @@ bool erodingBed::read(const dictionary& dict) {
   law.lift_ratio = dict.get<scalar>("liftRatio");
   law.roughness = dict.get<scalar>("roughness");
   law.critical_shields = dict.get<scalar>("criticalShields");
-  law.bed_load = bed_load_names.get("bedLoad", dict);
-  law.pick_up = pick_up_names.get("pickUp", dict);
+  law.bed_load = bed_loads.get("bedLoad", dict);
+  law.pick_up = pick_ups.get("pickUp", dict);
   law.water_density = dimensionedScalar("rho", dimDensity, water).value();
   law.water_viscosity = dimensionedScalar("nu", dimViscosity, water).value();
   law.gravity = mag(meshObjects::gravity::New(time_).value());

@@ -75,18 +75,28 @@ inline double critical_on_slope(const Grains& of, const BedStress& stress, doubl
 /// Volume of grains that roll along the flow [m^2/s] per metre of width.
 inline double bed_load(const Grains& of, const BedStress& stress, double critical) {
   if (!(stress.shields > critical)) return 0;
-  return bed_load_scale(of.diameter, of.density, of.water_density, of.gravity) *
-         (of.bed_load == BedLoad::van_rijn ? van_rijn_bed_load(stress.shields, critical, of.size_number())
-                                           : meyer_peter_mueller(stress.shields, critical));
+  const double scale = bed_load_scale(of.diameter, of.density, of.water_density, of.gravity);
+  switch (of.bed_load) {
+    case BedLoad::van_rijn:
+      return scale * van_rijn_bed_load(stress.shields, critical, of.size_number());
+    case BedLoad::meyer_peter_mueller:
+      break;
+  }
+  return scale * meyer_peter_mueller(stress.shields, critical);
 }
 
 /// Volume of grains that rise from the bed [m/s] per area.
 inline double pick_up(const Grains& of, const BedStress& stress, double critical) {
   if (!(stress.shields > critical)) return 0;
-  return of.pick_up == PickUp::van_rijn ? van_rijn_pick_up(stress.shields, critical, of.size_number(), of.diameter,
-                                                           of.density, of.water_density, of.gravity)
-                                        : lift_velocity(stress.shields, critical, of.size_number(), of.diameter,
-                                                        of.density, of.water_density, of.gravity);
+  switch (of.pick_up) {
+    case PickUp::van_rijn:
+      return van_rijn_pick_up(stress.shields, critical, of.size_number(), of.diameter, of.density, of.water_density,
+                              of.gravity);
+    case PickUp::mastbergen:
+      break;
+  }
+  return lift_velocity(stress.shields, critical, of.size_number(), of.diameter, of.density, of.water_density,
+                       of.gravity);
 }
 
 }  // namespace thalweg::foam
