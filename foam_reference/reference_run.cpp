@@ -8,9 +8,9 @@
 #include <iterator>
 
 #include "common/error.hpp"
+#include "common/process.hpp"
 #include "common/profile.hpp"
 #include "common/whole_file.hpp"
-#include "foam_reference/child_process.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -56,8 +56,7 @@ void clean(const fs::path& folder, const FoamCase& foam_case) {
   fs::remove_all(folder / "case" / "constant");
   fs::remove_all(folder / "case" / "0.orig");
   write_files(folder / "case", scripts(foam_case));
-  ChildProcess allclean({"/bin/sh", (folder / "case" / "Allclean").string()}, folder / "log.Allclean");
-  allclean.wait();
+  ChildProcess({"/bin/sh", (folder / "case" / "Allclean").string()}, {.log = folder / "log.Allclean"}).wait();
   fs::remove(folder / "log.Allclean");
 }
 

@@ -10,6 +10,7 @@
 #include "case/reader/case_file.hpp"
 #include "common/app/programs.hpp"
 #include "common/error.hpp"
+#include "common/process.hpp"
 #include "common/run_folder.hpp"
 
 namespace thalweg {
@@ -71,7 +72,9 @@ int run_pipeline(const PipelineOptions& given) {
   for (const Stage& stage : stages) {
     announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
     const auto begin = std::chrono::steady_clock::now();
-    const int status = run_and_wait(stage_program(stage.name), stage.arguments);
+    std::vector<std::string> command{stage_program(stage.name).string()};
+    command.insert(command.end(), stage.arguments.begin(), stage.arguments.end());
+    const int status = run_in_foreground(command);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (status == static_cast<int>(Exit::run_failed) && !stage.needed) {
       announce(fmt::format("== {} failed; the report does without this coarser run", stage.name));
