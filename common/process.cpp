@@ -61,7 +61,7 @@ Descriptor open_log(const fs::path& log) {
       fmt::format("{}: cannot be written: {}; check the folder's permissions", log.string(), std::strerror(errno)));
 }
 
-/// The two ends of a pipe; what is written to the second is read from the first.
+/// The two ends of a pipe, to read from and to write to.
 std::array<Descriptor, 2> make_pipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
@@ -70,7 +70,7 @@ std::array<Descriptor, 2> make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// posix_spawn's lists of what a child does before it becomes the program.
+/// posix_spawn's lists of actions of a child before it becomes the program.
 struct SpawnSettings {
   posix_spawn_file_actions_t files{};
   posix_spawnattr_t attributes{};

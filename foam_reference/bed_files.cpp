@@ -1,4 +1,4 @@
-// What the eroding bed adds: constant/fvOptions, and the entry of system/controlDict that moves it.
+// The eroding bed's parts of a case: constant/fvOptions, and the entry of system/controlDict that moves it.
 #include "foam_reference/bed_files.hpp"
 
 #include "foam_reference/case_files.hpp"

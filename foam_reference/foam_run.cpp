@@ -43,7 +43,7 @@ class Progress {
   ProgressLine line_{{.width = 90, .log_pause = std::chrono::milliseconds(0)}};
 };
 
-// The log Allrun names when one of its programs fails; its own where it fails otherwise.
+// The log that Allrun names if one of its programs fails; Allrun's own log if it fails otherwise.
 fs::path failed_log(const fs::path& folder) {
   const std::string announcement = "failed: see ";
   std::ifstream stream(folder / "log.Allrun");
@@ -68,7 +68,8 @@ fs::path failed_log(const fs::path& folder) {
                   failed.string(), application, log.steps().back().time, end, because));
 }
 
-// Steps shorten for a while at an impact; a millionth of the usual one means that speeds grow without bound.
+// Throws RunError if the step has fallen to a millionth of the usual one: speeds then grow without bound. At an impact
+// steps shorten too, but by far less.
 void check_divergence(const SolverLog& log) {
   const auto& steps = log.steps();
   if (steps.size() < 10) return;

@@ -9,7 +9,7 @@
 namespace thalweg::foam {
 namespace {
 
-// Air at 20 degrees C (dry, sea level).
+// Dry air at 20 degrees C at sea level.
 constexpr double air_density = 1.2;                 // [kg/m^3]
 constexpr double air_kinematic_viscosity = 1.5e-5;  // [m^2/s]
 
@@ -111,12 +111,12 @@ std::string purpose(const FoamCase& foam_case) {
       "a capillary rise.\n";
   if (foam_case.has_eroding_bed()) {
     return text +
-           "\nThe bed is no phase: system/controlDict has its laws, constant/fvOptions what it does to the "
-           "water.\nIts pores are full of water, so that the share of water does not change where it erodes.\n";
+           "\nThe bed is no phase: system/controlDict holds its laws, constant/fvOptions its forces on the water."
+           "\nIts pores are full of water, so that the share of water does not change where it erodes.\n";
   }
   if (foam_case.has_sediment_phase() && !foam_case.rheology) {
     return text +
-           "\nSediment: the particle model's own laws (physics), compiled into libthalwegFoam. SI, "
+           "\nSediment: the particle model's own laws (folder physics), compiled into libthalwegFoam. SI, "
            "dynamic viscosities;\n`columns` is the block of cells that the effective pressure is summed up in.\n";
   }
   if (!foam_case.rheology) return text;
@@ -125,7 +125,7 @@ std::string purpose(const FoamCase& foam_case) {
          fmt::format(
              "\nSediment: eta = min(nu0, tau0/gdot + k gdot^(n-1)), all divided by the bed's density of {:.6g} "
              "kg/m^3.\n"
-             "The stock model's yield stress does not know the pressure. tau0 = {:.4g} Pa is the particle model's\n"
+             "The stock model's yield stress is one number. tau0 = {:.4g} Pa is the particle model's\n"
              "K p_eff + c_0 at the middle of the bed as it lies at the start: K = {:.4g}, p_eff = {:.4g} Pa "
              "(submerged\n"
              "weight of half the mean thickness {:.4g} m). Above the middle the bed is too strong, below too weak.\n"
@@ -175,7 +175,7 @@ std::string turbulence_properties(const Case& scene) {
       body = "simulationType laminar;\n";
       break;
     case FoamTurbulence::smagorinsky:
-      purpose = "Large eddies, in all phases alike: Smagorinsky's model does not know what it stirs.";
+      purpose = "Large eddies, in all phases alike: Smagorinsky's model does not tell them apart.";
       body = large_eddies;
       break;
   }

@@ -22,7 +22,7 @@ bool holds(const fs::path& file, const std::string& text) {
   return stream && std::string(std::istreambuf_iterator<char>(stream), {}) == text;
 }
 
-// summary.csv is written last, so its presence says that the run finished.
+// True if the folder holds a finished run of these files. summary.csv is written last.
 bool is_current(const fs::path& folder, const CaseFiles& files) {
   if (!fs::exists(folder / "summary.csv")) return false;
   for (const auto& [path, text] : files) {
@@ -31,7 +31,7 @@ bool is_current(const fs::path& folder, const CaseFiles& files) {
   return true;
 }
 
-// The times to compare may have changed while the dictionaries have not: fields are written at more times.
+// The times to compare may have changed although the dictionaries have not, since fields are written at more times.
 bool has_profiles(const fs::path& folder, const Case& scene) {
   return std::ranges::all_of(scene.compare.times,
                              [&](double time) { return fs::exists(folder / "profiles" / profile_file_name(time)); });
@@ -47,7 +47,7 @@ void write_files(const fs::path& folder, const CaseFiles& files) {
   }
 }
 
-// Takes away what an earlier run left, so that no result of it can pass for one of the new run.
+// Removes the results of an earlier run, so that none of them can pass for one of the new run.
 void clean(const fs::path& folder, const FoamCase& foam_case) {
   fs::remove(folder / "summary.csv");
   fs::remove(folder / "history.csv");

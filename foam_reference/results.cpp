@@ -1,4 +1,4 @@
-// From the fields and tables OpenFOAM wrote to profiles, history.csv and summary.csv.
+// Makes profiles, history.csv and summary.csv from the fields and tables that OpenFOAM has written.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// OpenFOAM names a time's folder after the time, in a spelling of its own.
+// The folder of a time's fields. OpenFOAM names it after the time, in a spelling of its own.
 fs::path time_folder(const fs::path& case_folder, double time) {
   for (const fs::directory_entry& entry : fs::directory_iterator(case_folder)) {
     const std::string name = entry.path().filename().string();
@@ -116,7 +116,7 @@ double outflow(const FoamCase& foam_case, const fs::path& folder, const std::str
   return sum;
 }
 
-// The eroding bed's columns at a time: x, y, floor, bed, thickness of what is in suspension, and transport.
+// The eroding bed's columns at a time: x, y, floor, bed, thickness of the grains in suspension, and transport.
 BedColumns read_bed(const fs::path& folder, double time) {
   BedColumns bed;
   const fs::path tables = time_folder(folder / "case/postProcessing" / eroding_bed_name, time);

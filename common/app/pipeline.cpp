@@ -19,7 +19,7 @@ namespace {
 struct Stage {
   std::string name;
   std::vector<std::string> arguments;
-  bool needed = true;  // the pipeline ends where it fails
+  bool needed = true;  // the pipeline ends if it fails
 };
 
 std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, const std::string& out) {
@@ -68,7 +68,7 @@ int run_pipeline(const PipelineOptions& given) {
   }
 
   const std::vector<Stage> stages = stages_of(options, scene, out);
-  for (const Stage& stage : stages) (void)stage_program(stage.name);  // all there, before the first takes its time
+  for (const Stage& stage : stages) (void)stage_program(stage.name);  // throws before the first one runs
   for (const Stage& stage : stages) {
     announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
     const auto begin = std::chrono::steady_clock::now();

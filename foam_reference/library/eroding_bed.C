@@ -97,7 +97,7 @@ bool erodingBed::read(const dictionary& dict) {
 
 std::vector<double> erodingBed::suspended() const { return columns_.volume_of(grains_.primitiveField()); }
 
-// Water whose velocity counts stands at least half a cell above the bed: below, the cell is partly bed.
+// The velocity is taken at least half a cell above the bed, because a cell below that is partly bed.
 void erodingBed::find_transport() {
   const auto& U = mesh_.lookupObject<volVectorField>("U");
   const auto& water = mesh_.lookupObject<volScalarField>(IOobject::groupName("alpha", water_));
@@ -134,8 +134,8 @@ void erodingBed::find_transport() {
   }
 }
 
-// A grain that crosses between two columns climbs or falls from one to the other: the slope between them decides, which
-// the mean slope at either does not know.
+// A grain that crosses between two columns climbs or falls from one to the other. The slope between them therefore
+// decides, not the mean slope at either.
 double erodingBed::bed_load_sent(int column, int axis, bool forward) const {
   const auto& stress = stress_[at(column)];
   const double along = (axis == 0 ? stress.along_x : stress.along_y) * (forward ? 1 : -1);
@@ -147,8 +147,8 @@ double erodingBed::bed_load_sent(int column, int axis, bool forward) const {
   return along * thalweg::foam::bed_load(grains_law_, stress, critical);
 }
 
-// Grains rise from each column into the lowest free cells above it, and settle from them. The water does not take more
-// than it would hold packed.
+// Grains rise from each column into the lowest free cells above it, and settle from them. A cell takes no more grains
+// than it holds when packed.
 void erodingBed::exchange_with_water() {
   const double dt = time_.deltaTValue();
   const auto& water = mesh_.lookupObject<volScalarField>(IOobject::groupName("alpha", water_));
@@ -188,7 +188,7 @@ void erodingBed::exchange_with_water() {
   for (std::size_t c = 0; c < deposit.size(); ++c) bed_.grains[c] += deposit[c] - lifted[c];
 }
 
-// Suspended grains in cells that the rising surface has covered belong to the bed; that raises it a little more.
+// Suspended grains in cells that the rising surface has covered go to the bed, which raises it a little more.
 void erodingBed::take_in_covered_grains() {
   std::vector<double> taken(bed_.grains.size(), 0.0);
   for (label cell = 0; cell < mesh_.nCells(); ++cell) {
@@ -210,7 +210,7 @@ void erodingBed::update_fields() {
     bed_share_[cell] = share;
     free_[cell] = above >= 0 ? 1 : 0;
     const bool lowest = above >= 0 && above < lowest_[at(column)] + 1e-6 * height;
-    // From nothing where the surface passes the centre to all of it where the cell is full.
+    // The drag grows from 0 where the surface passes the centre to its full value where the cell is full.
     drag_field_[cell] = drag_ * std::max(0.0, 2 * share - 1) + (lowest ? brake_[at(column)] / height : 0.0);
   }
   bed_share_.correctBoundaryConditions();
