@@ -30,7 +30,7 @@ std::vector<FoamModel> chosen_models(const Case& scene, const ModelOptions& opti
   return {model};
 }
 
-// The library, and the stock model in place of what cannot run without it.
+// The folder of the library. Where it cannot be had, the stock model takes the place of the models that need it.
 std::filesystem::path find_library(const Case& scene, std::vector<FoamModel>& models) {
   const auto needs = [&](FoamModel model) { return needs_library(scene, model); };
   if (std::ranges::none_of(models, needs)) return {};
@@ -73,7 +73,7 @@ std::string folder_of(FoamModel model, int coarsening) {
 
 void run_models(const Case& scene, const RunFolder& run, const ModelOptions& options) {
   std::vector<FoamModel> models = chosen_models(scene, options);
-  for (const Planned& checked : plan(scene, models, options, {})) (void)case_files(checked.foam_case);  // complains now
+  for (const Planned& checked : plan(scene, models, options, {})) (void)case_files(checked.foam_case);  // throws now
   require_openfoam();
   const std::filesystem::path library = find_library(scene, models);
   for (const Planned& one : plan(scene, models, options, library)) {

@@ -8,7 +8,7 @@
 
 namespace thalweg::foam {
 
-/// What to run besides what the case says.
+/// Choices for a run that the case does not make.
 struct ModelOptions {
   std::string model;  // one model only; empty: models_of(scene)
   int meshes = 0;     // 0: foam.meshes
@@ -18,9 +18,9 @@ struct ModelOptions {
 /// Folder of a model's results inside RunFolder::foam(): "same-material", on twice as coarse a mesh "same-material-2x".
 std::string folder_of(FoamModel model, int coarsening);
 
-/// Runs the mesh models of a case on their meshes, each in its folder (foam_reference/reference_run.hpp). Where
-/// libthalwegFoam cannot be had the stock model takes the place of those that need it, and a line says so. Meshes that
-/// are too coarse for the container are left out with a line; the first one is not.
+/// Runs the mesh models of a case on their meshes, each in its folder (foam_reference/reference_run.hpp). If
+/// libthalwegFoam cannot be had, the stock model takes the place of the models that need it, and a line tells so. A
+/// coarser mesh that does not fit the container is left out, and a line tells so; for the first mesh this is an error.
 /// Throws InputError, RunError, Interrupted.
 void run_models(const Case& scene, const RunFolder& run, const ModelOptions& options);
 

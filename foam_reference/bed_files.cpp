@@ -1,8 +1,9 @@
-// What the eroding bed adds: constant/fvOptions, and the entry of system/controlDict that moves it.
+// The eroding bed's parts of a case: constant/fvOptions, and the entry of system/controlDict that moves it.
 #include "foam_reference/bed_files.hpp"
 
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/library/dictionary_words.hpp"
 
 namespace thalweg::foam {
 
@@ -38,8 +39,8 @@ std::string eroding_bed_function(const FoamCase& foam_case) {
                      {"lift_ratio", number(s.lift_ratio)},
                      {"roughness", number(s.roughness > 0 ? s.roughness : s.grain_diameter)},
                      {"critical", number(s.critical_shields)},
-                     {"bed_load", scene.foam.bed_load == BedLoad::van_rijn ? "vanRijn" : "meyerPeterMueller"},
-                     {"pick_up", scene.foam.pick_up == PickUp::van_rijn ? "vanRijn" : "mastbergen"},
+                     {"bed_load", dictionary_word(scene.foam.bed_load)},
+                     {"pick_up", dictionary_word(scene.foam.pick_up)},
                      {"drag", number(bed_drag)},
                      {"columns", columns_entries(foam_case.plan, "            ")}});
 }

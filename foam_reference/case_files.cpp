@@ -12,7 +12,7 @@
 namespace thalweg::foam {
 namespace {
 
-// Times are whole microseconds here: far below any step, and exact to divide.
+// A time in whole microseconds, which are far below any step and have exact common divisors.
 std::int64_t microseconds(double time) { return std::llround(time * 1e6); }
 
 }  // namespace
@@ -60,7 +60,7 @@ double write_interval(const Case& scene) {
         "more than {} times",
         place(scene), number(scene.output.end / most_writes), most_writes));
   }
-  // Fields at the snapshots' times too, to be looked at beside the particles.
+  // Fields at the snapshots' times too, so that both can be viewed beside each other.
   constexpr std::int64_t comfortable_writes = 100;
   const std::int64_t with_snapshots = std::gcd(needed, microseconds(scene.output.interval));
   return static_cast<double>(end / with_snapshots <= comfortable_writes ? with_snapshots : needed) * 1e-6;
@@ -72,7 +72,7 @@ CaseFiles case_files(const FoamCase& foam_case) {
                          surface_files(foam_case), control_files(foam_case), scripts(foam_case)}) {
     files.merge(part);
   }
-  files["case.foam"] = "";  // ParaView opens the folder through it
+  files["case.foam"] = "";  // for ParaView, which opens the folder through it
   return files;
 }
 

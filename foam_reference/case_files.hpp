@@ -11,7 +11,7 @@
 
 namespace thalweg::foam {
 
-/// All that decides a run of the mesh model.
+/// Everything that a run of the mesh model depends on.
 struct FoamCase {
   Case scene;
   FoamModel model = FoamModel::stock;
@@ -29,7 +29,7 @@ struct FoamCase {
 /// Text of every file of an OpenFOAM case, by its path in the case's folder.
 using CaseFiles = std::map<std::filesystem::path, std::string>;
 
-/// Checks what the mesh model can do and plans it. Throws InputError.
+/// Plans the run. Throws InputError for a scene that the mesh model cannot compute.
 FoamCase make_foam_case(const Case& scene, int ranks, FoamModel model = FoamModel::stock,
                         const std::filesystem::path& library = {});
 
@@ -40,13 +40,14 @@ CaseFiles case_files(const FoamCase& foam_case);
 std::vector<std::string> phases(const FoamCase& foam_case);
 
 /// Interval [s] at which fields are written: a common divisor of output.end and compare.times, and of output.interval
-/// where that does not make it much shorter. Throws InputError when the times share none above a 500th of the run.
+/// too unless that makes it much shorter. Throws InputError if the times have no common divisor above a 500th of the
+/// run.
 double write_interval(const Case& scene);
 
-/// Entries of the dictionary from which libthalwegFoam knows the block's columns, each line after `indent`.
+/// Entries of the dictionary that tell libthalwegFoam the columns of the block. Each line begins with `indent`.
 std::string columns_entries(const MeshPlan& plan, const std::string& indent);
 
-/// The parts of case_files, one subject each.
+// The parts of case_files, one subject each.
 CaseFiles mesh_files(const FoamCase& foam_case);
 CaseFiles initial_fields(const FoamCase& foam_case);
 CaseFiles model_files(const FoamCase& foam_case);

@@ -10,7 +10,7 @@ struct ColumnSampler::Elevations {
   double crossing = Profile::missing;  // [m]
 };
 
-// The cells of a column from the floor up, -1 where there is none.
+// The cells of a column from the floor up; -1 where there is no cell.
 struct ColumnSampler::Column {
   std::vector<std::int64_t> cells;
   bool interrupted = false;  // a solid lies between cells
@@ -22,7 +22,7 @@ double share_of(const std::vector<double>& shares, std::int64_t cell) {
   return shares.size() == 1 ? shares.front() : shares[static_cast<std::size_t>(cell)];
 }
 
-// Mean of the values that are there.
+// Mean of the values that are not missing.
 struct Mean {
   double sum = 0;
   int count = 0;

@@ -11,7 +11,7 @@ struct PhaseFields {
   std::vector<double> air;
 };
 
-/// A profile and how sure it is.
+/// A profile and its uncertainty.
 struct SampledProfile {
   Profile profile;
   double largest_free_surface_spread = 0;  // [m] between the column integral and the crossing of 0.5
@@ -25,20 +25,22 @@ struct BedColumns {
   std::vector<double> suspended;  // [m] thickness of the grains in suspension above, packed alike
 };
 
-/// Adds the eroding bed to a profile of the same columns: moving_bed is the packed bed, bed lies above it by what is in
-/// suspension, and a dry bed is its own surface. In 3-D means over y; missing where there is no column.
+/// Adds the eroding bed to a profile of the same columns: moving_bed is the packed bed, and bed lies above it by the
+/// grains in suspension. A dry bed is the free surface too. In 3-D means over y; missing where there is no column.
 void add_bed(Profile& profile, const BedColumns& bed);
 
-/// Turns cells into elevations along x, one per column of cells:
-///   bed = z_0 + sum alpha_sediment dz,   free surface = z_0 + sum (1 - alpha_air) dz,   z_0 the column's lowest point.
-/// The integral keeps volumes exact and sees films thinner than a cell; grains in suspension count as bed, bubbles
-/// lower the surface. Where a solid interrupts the column the integral means nothing; there it is the highest crossing
-/// of a share of 0.5. In 3-D the profile is the mean over y. `moving_bed` stays empty: a phase knows no deposit.
+/// Turns cells into elevations along x [m], one for each column of cells:
+///   bed          = z_0 + sum alpha_sediment dz
+///   free surface = z_0 + sum (1 - alpha_air) dz,   z_0 lowest point of the column
+/// The integral keeps volumes exact and sees films thinner than a cell. Grains in suspension count as bed, and bubbles
+/// lower the surface. Where a solid interrupts the column the integral has no meaning; the highest crossing of a share
+/// of 0.5 takes its place. In 3-D the profile is the mean over y. `moving_bed` stays empty: a phase has no deposit.
 class ColumnSampler {
  public:
   /// `centres`: the cells' centres [m]; fewer than the plan's where solids have been taken out.
   ColumnSampler(const MeshPlan& plan, const std::vector<Vec3>& centres);
 
+  /// The profile of these fields.
   [[nodiscard]] SampledProfile sample(const PhaseFields& fields) const;
 
  private:

@@ -8,9 +8,9 @@
 namespace thalweg::foam {
 namespace {
 
-// A surface wave, at most sqrt(g H) fast in the block's height H, crosses at most 0.4 of a cell in a step; the Courant
-// limits do not see it while the water is still at rest. With a whole cell a step, water at rest over a bed begins to
-// slosh (bed +-1.5 mm after 1 s at 10 mm cells); up to half a cell it stays at rest.
+// The step [s] in which a surface wave crosses 0.4 of a cell. A wave is at most sqrt(g H) fast, H height of the block.
+// The Courant limits do not see it while the water is at rest. With a whole cell in a step, water at rest over a bed
+// begins to slosh (bed +-1.5 mm after 1 s at 10 mm cells); with up to half a cell it stays at rest.
 double largest_step(const FoamCase& foam_case) {
   const MeshPlan& plan = foam_case.plan;
   const double height = plan.high.z() - plan.low.z();
@@ -111,13 +111,13 @@ interpolationSchemes    { default linear; }
 snGradSchemes           { default corrected; }
 )";
 
-// The pressure needs a fixed point where no face is open.
+// system/fvSolution. Where no face is open the pressure needs a point of a fixed value.
 std::string solution(const FoamCase& foam_case) {
   const MeshPlan& plan = foam_case.plan;
   const std::string reference = plan.open(Face::open) ? ""
                                                       : "    pRefPoint       " + vector(plan.high - 0.5 * plan.size()) +
                                                             ";\n    pRefValue       0;\n";
-  // Grains go with the flux of water of a whole step, which interFoam keeps only without sub-cycles.
+  // Grains are carried by the water's flux of a whole step, which interFoam keeps only without sub-cycles.
   const std::string alpha = foam_case.application() == "interFoam"
                                 ? "        nAlphaCorr      2;\n        nAlphaSubCycles 1;\n"
                                 : "        nAlphaSubCycles 2;\n";

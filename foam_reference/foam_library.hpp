@@ -5,8 +5,8 @@
 
 namespace thalweg::foam {
 
-/// Folder of libthalwegFoam.so, our models for OpenFOAM, built now if it has not been yet (tools/foam-library, which
-/// says on stderr what it does and why it cannot). Nothing where it cannot be had.
+/// Folder of libthalwegFoam.so, our models for OpenFOAM. tools/foam-library builds it the first time, and tells on
+/// stderr the progress or the reason of a failure. Nothing if the library cannot be had.
 std::optional<std::filesystem::path> foam_library();
 
 }  // namespace thalweg::foam

@@ -26,10 +26,26 @@ std::vector<FoamModel> models_of(const Case& scene) {
   return models;
 }
 
-bool needs_library(const Case& scene, FoamModel model) { return scene.has_sediment() && model != FoamModel::stock; }
+bool needs_library(const Case& scene, FoamModel model) {
+  switch (model) {
+    case FoamModel::same_material:
+    case FoamModel::eroding_bed:
+      return scene.has_sediment();
+    case FoamModel::stock:
+      break;
+  }
+  return false;
+}
 
 std::string application_of(FoamModel model) {
-  return model == FoamModel::eroding_bed ? "interFoam" : "multiphaseInterFoam";
+  switch (model) {
+    case FoamModel::eroding_bed:
+      return "interFoam";
+    case FoamModel::same_material:
+    case FoamModel::stock:
+      break;
+  }
+  return "multiphaseInterFoam";
 }
 
 }  // namespace thalweg::foam

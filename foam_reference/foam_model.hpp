@@ -8,10 +8,10 @@
 
 namespace thalweg::foam {
 
-/// How the mesh model sees the sediment, by the place of its name in mesh_model_names:
+/// Model of the sediment on the mesh. The order is that of mesh_model_names.
 ///   same_material   a phase of multiphaseInterFoam with the particle model's own laws (foam_reference/library)
-///   eroding_bed     a packed bed beneath interFoam that bed load and suspension wear down (foam_reference/library)
-///   stock           a phase of multiphaseInterFoam with OpenFOAM's HerschelBulkley: needs no library
+///   eroding_bed     a packed bed beneath interFoam that bed load and suspension erode (foam_reference/library)
+///   stock           a phase of multiphaseInterFoam with OpenFOAM's own HerschelBulkley; needs no library
 enum class FoamModel { same_material, eroding_bed, stock };
 
 /// "same-material", as the case file and the folder of results name it.
@@ -20,13 +20,14 @@ std::string name_of(FoamModel model);
 /// The model of a name. Throws InputError that lists the names.
 FoamModel model_of(const std::string& name);
 
-/// The models to run: foam.models; without it both of our own, or without sediment, where they are the same, `stock`.
+/// The models to run: those of foam.models, or both of our own if the case names none. Without sediment all models are
+/// the same, and `stock` alone is run.
 std::vector<FoamModel> models_of(const Case& scene);
 
-/// Whether the model of this scene needs libthalwegFoam.
+/// True if the model of this scene needs libthalwegFoam.
 bool needs_library(const Case& scene, FoamModel model);
 
-/// The solver of OpenFOAM that computes it: "multiphaseInterFoam" or "interFoam".
+/// OpenFOAM's solver for the model: "multiphaseInterFoam" or "interFoam".
 std::string application_of(FoamModel model);
 
 }  // namespace thalweg::foam

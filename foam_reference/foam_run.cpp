@@ -1,16 +1,15 @@
 #include "foam_reference/foam_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <sstream>
+#include <fstream>
 #include <thread>
 
 #include "common/error.hpp"
-#include "foam_reference/child_process.hpp"
+#include "common/process.hpp"
+#include "common/progress.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -20,46 +19,31 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-bool on_path(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
-  }
-  return false;
-}
-
-// One line that is rewritten on a terminal; elsewhere a line every tenth of the run.
+/// Shows how far the solver is; in a log with a line every tenth of the run.
 class Progress {
  public:
-  explicit Progress(double end) : end_(end), terminal_(isatty(STDERR_FILENO) == 1) {}
-  ~Progress() {
-    if (terminal_ && shown_ > 0) fmt::print(stderr, "\n");
-  }
+  explicit Progress(double end) : end_(end) {}
 
   void show(const std::vector<SolverStep>& steps) {
-    if (steps.empty() || steps.size() == seen_) return;
-    seen_ = steps.size();
+    if (steps.empty()) return;
     const double share = std::min(1.0, steps.back().time / end_);
     const int percent = static_cast<int>(100 * share);
-    if (!terminal_ && percent < shown_ + 10) return;
-    shown_ = terminal_ ? percent + 1 : percent / 10 * 10;
-    const double left = share > 0 ? seconds_since(start_) * (1 - share) / share : 0;
-    fmt::print(stderr, "{}foam: {:3d} %, t = {:.4f} of {:g} s, step {}, dt {:.2g} s, {:.0f} s left{}",
-               terminal_ ? "\r" : "", percent, steps.back().time, end_, seen_, steps.back().dt, left,
-               terminal_ ? "   " : "\n");
-    std::fflush(stderr);
+    if (!line_.on_terminal() && percent < shown_ + 10) return;
+    shown_ = percent / 10 * 10;
+    line_.show([&] {
+      const double left = share > 0 ? line_.elapsed() * (1 - share) / share : 0;
+      return fmt::format("foam: {:3d} %, t = {:.4f} of {:g} s, step {}, dt {:.2g} s, {:.0f} s left", percent,
+                         steps.back().time, end_, steps.size(), steps.back().dt, left);
+    });
   }
 
  private:
   double end_;
-  bool terminal_;
-  std::size_t seen_ = 0;
-  int shown_ = 0;
-  Clock::time_point start_ = Clock::now();
+  int shown_ = 0;  // [%] tenth of the last line in a log
+  ProgressLine line_{{.width = 90, .log_pause = std::chrono::milliseconds(0)}};
 };
 
-// The log Allrun names when one of its programs fails; its own where it fails otherwise.
+// The log that Allrun names if one of its programs fails; Allrun's own log if it fails otherwise.
 fs::path failed_log(const fs::path& folder) {
   const std::string announcement = "failed: see ";
   std::ifstream stream(folder / "log.Allrun");
@@ -84,7 +68,8 @@ fs::path failed_log(const fs::path& folder) {
                   failed.string(), application, log.steps().back().time, end, because));
 }
 
-// Steps shorten for a while at an impact; a millionth of the usual one means that speeds grow without bound.
+// Throws RunError if the step has fallen to a millionth of the usual one: speeds then grow without bound. At an impact
+// steps shorten too, but by far less.
 void check_divergence(const SolverLog& log) {
   const auto& steps = log.steps();
   if (steps.size() < 10) return;
@@ -110,7 +95,7 @@ void require_openfoam() {
 FoamRun run_foam(const fs::path& folder, double end, const std::string& application) {
   const SignalWatch signals;
   const auto start = Clock::now();
-  ChildProcess allrun({"/bin/sh", (folder / "Allrun").string()}, folder / "log.Allrun");
+  ChildProcess allrun({"/bin/sh", (folder / "Allrun").string()}, {.log = folder / "log.Allrun", .own_group = true});
   SolverLog log(folder / ("log." + application));
   {
     Progress progress(end);
@@ -127,7 +112,7 @@ FoamRun run_foam(const fs::path& folder, double end, const std::string& applicat
     log.read_on();
     progress.show(log.steps());
   }
-  if (!allrun.succeeded()) report_failure(folder, log, end, application);
+  if (allrun.wait() != 0) report_failure(folder, log, end, application);
   return {allrun.cpu_seconds(), seconds_since(start), log.version(), log.steps()};
 }
 

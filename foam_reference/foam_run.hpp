@@ -7,7 +7,7 @@
 
 namespace thalweg::foam {
 
-/// What a finished run cost and reported.
+/// Cost and steps of a finished run.
 struct FoamRun {
   double cpu_seconds = 0;  // of all programs Allrun called, all ranks
   double wall_seconds = 0;
@@ -15,16 +15,16 @@ struct FoamRun {
   std::vector<SolverStep> steps;
 };
 
-/// Ended by Ctrl-C or SIGTERM; `signal` says which.
+/// The run was ended by Ctrl-C or SIGTERM; `signal` tells by which.
 struct Interrupted {
   int signal = 0;
 };
 
-/// Throws InputError saying how to get OpenFOAM when its programs are not on PATH.
+/// Throws InputError that tells how to get OpenFOAM if its programs are not on PATH.
 void require_openfoam();
 
 /// Runs Allrun in `folder`, whose solver is `application`, until `end` [s], with progress on stderr. Throws RunError
-/// that says at which time it failed, which log to read and what to try; throws Interrupted.
+/// that tells the time of a failure, the log to read and the cure to try; throws Interrupted.
 FoamRun run_foam(const std::filesystem::path& folder, double end,
                  const std::string& application = "multiphaseInterFoam");
 

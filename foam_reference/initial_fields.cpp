@@ -1,4 +1,4 @@
-// 0.orig: the fields before setFields fills the shapes, and what they do at walls and open faces.
+// 0.orig: the fields before setFields fills the shapes, and their conditions at walls and open faces.
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
 
@@ -9,7 +9,7 @@ std::string boundary_entry(const std::string& patch, const std::string& entries)
   return "    " + patch + " { " + entries + " }\n";
 }
 
-// Entries for walls and open faces; the patches without a choice (empty, cyclic) follow from the mesh.
+// Entries for walls and open faces. Those for empty and cyclic patches follow from the mesh.
 std::string boundary(const MeshPlan& plan, const std::string& at_walls, const std::string& at_open) {
   std::string text;
   if (plan.open(Face::wall)) text += boundary_entry("walls", at_walls);
@@ -42,7 +42,7 @@ CaseFiles initial_fields(const FoamCase& foam_case) {
   CaseFiles files;
   for (const std::string& phase : phases(foam_case)) {
     const std::string inflow = phase == "air" ? "1" : "0";
-    if (phase == "air" && foam_case.application() == "interFoam") continue;  // what is not water
+    if (phase == "air" && foam_case.application() == "interFoam") continue;  // interFoam has one share, the water's
     files["0.orig/alpha." + phase] =
         field(foam_case, "volScalarField", "alpha." + phase,
               "Volume share of " + phase + " [-]. What flows in through open faces is air.", "[0 0 0 0 0 0 0]", inflow,
@@ -57,14 +57,18 @@ CaseFiles initial_fields(const FoamCase& foam_case) {
     files["0.orig/grains"] = field(foam_case, "volScalarField", "grains", "Volume share of suspended grains [-].",
                                    "[0 0 0 0 0 0 0]", "0", boundary(plan, "type zeroGradient;", open));
   }
-  if (foam_case.scene.foam.turbulence == FoamTurbulence::smagorinsky) {
-    files["0.orig/nut"] = field(foam_case, "volScalarField", "nut", "Eddy viscosity [m^2/s].", "[0 2 -1 0 0 0 0]", "0",
-                                boundary(plan, "type zeroGradient;", "type zeroGradient;"));
+  switch (foam_case.scene.foam.turbulence) {
+    case FoamTurbulence::smagorinsky:
+      files["0.orig/nut"] = field(foam_case, "volScalarField", "nut", "Eddy viscosity [m^2/s].", "[0 2 -1 0 0 0 0]",
+                                  "0", boundary(plan, "type zeroGradient;", "type zeroGradient;"));
+      break;
+    case FoamTurbulence::laminar:
+      break;
   }
   files["0.orig/U"] =
       field(foam_case, "volVectorField", "U", "Velocity [m/s]: at rest; no slip at walls.", "[0 1 -1 0 0 0 0]",
             "(0 0 0)", boundary(plan, "type noSlip;", "type pressureInletOutletVelocity; value uniform (0 0 0);"));
-  // The atmosphere's p = 0 is written in p, not in p_rgh: right for open sides as well, where p_rgh differs with depth.
+  // The atmosphere's p = 0 is a condition on p, not on p_rgh, since p_rgh differs with depth at open sides.
   files["0.orig/p_rgh"] = field(foam_case, "volScalarField", "p_rgh",
                                 "Pressure without its hydrostatic part, p - rho g.x [Pa].", "[1 -1 -2 0 0 0 0]", "0",
                                 boundary(plan, "type fixedFluxPressure; value uniform 0;",

@@ -1,4 +1,4 @@
-// system/blockMeshDict, topoSetDict.*, setFieldsDict, decomposeParDict: the cells and what they hold at the start.
+// system/blockMeshDict, topoSetDict.*, setFieldsDict, decomposeParDict: the cells and their contents at the start.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,6 +36,7 @@ std::string patches(const MeshPlan& plan) {
       case Face::periodic:
         cyclic += patch(face_words[face], "cyclic", vertices + " ",
                         std::string("        neighbourPatch ") + face_words[face ^ 1U] + ";\n");
+        break;
     }
   }
   std::string text;
@@ -78,8 +79,8 @@ boundary
                      {"patches", patches(plan)}});
 }
 
-// A box face that runs through cell centres would be decided by rounding, cell by cell; a thousandth of a cell upward
-// decides it once, and the neighbouring shape's face alike.
+// The corner of a box, moved up by a thousandth of a cell where its faces run through cell centres. Rounding would
+// decide for each of those cells by itself. Now it is the same for all of them, and for the shape next to this one.
 Vec3 off_centres(const MeshPlan& plan, Vec3 corner) {
   const Vec3 size = plan.size();
   for (const int axis : {0, 1, 2}) {
@@ -89,7 +90,7 @@ Vec3 off_centres(const MeshPlan& plan, Vec3 corner) {
   return corner;
 }
 
-// Numbered, since a shape's name may hold what a set's name may not.
+// A number, since a shape's name may hold characters that a set's name may not.
 std::string combined_set(const Case& scene, const Shape& shape) {
   return "shape" + std::to_string(&shape - scene.shapes.data());
 }
@@ -99,13 +100,13 @@ bool is_combined(const Shape& shape) {
          shape.kind == ShapeKind::combine_intersection;
 }
 
-// A topoSet / setFields source: its name and its entries.
+// A source of cells for topoSet and setFields: its name and its entries.
 struct CellSource {
   std::string name;
   std::string entries;
 };
 
-// In 2-D the sources reach through the block's width.
+// The cells in a shape; in 2-D through the whole width of the block.
 CellSource cell_source(const FoamCase& foam_case, const Shape& given) {
   const Shape shape = as_filled_box(foam_case.scene, given);
   const MeshPlan& plan = foam_case.plan;
@@ -154,7 +155,7 @@ bool holds_fluid(const Shape& shape) {
   return shape.role == ShapeRole::water || shape.role == ShapeRole::sediment || shape.role == ShapeRole::empty;
 }
 
-// The cells that are flow: everything but solid walls, and what later shapes put in a wall's place.
+// The cells of the flow: all cells that are not in solid walls, and those that later shapes fill in a wall's place.
 std::string flow_set(const FoamCase& foam_case) {
   const MeshPlan& plan = foam_case.plan;
   const Vec3 margin = plan.size();
@@ -217,7 +218,7 @@ std::string set_fields(const FoamCase& foam_case) {
 
 std::string decompose(const FoamCase& foam_case) {
   const MeshPlan& plan = foam_case.plan;
-  // Along the ground: a slab holds its columns from floor to top, all but those it shares with the next.
+  // Slabs along the ground: each holds its columns from floor to top.
   const auto longest = plan.cells[1] > plan.cells[0] ? 1 : 0;
   Eigen::Vector3i parts = Eigen::Vector3i::Ones();
   parts[longest] = foam_case.ranks;

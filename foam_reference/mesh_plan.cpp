@@ -13,7 +13,7 @@ namespace thalweg::foam {
 namespace {
 
 constexpr std::array<const char*, 6> face_names{"-x", "+x", "-y", "+y", "-z", "+z"};
-constexpr double largest_block = 2e8;  // cells; about 200 GB of fields, beyond any single machine this is meant for
+constexpr double largest_block = 2e8;  // cells; their fields take about 200 GB, more than the memory of one machine
 
 void check_kind(const Case& scene, const Shape& shape) {
   switch (shape.kind) {
@@ -32,11 +32,14 @@ void check_kind(const Case& scene, const Shape& shape) {
                        ": the mesh model takes a mesh as a solid wall in 3-D only, from an STL or "
                        "OBJ file and not turned (\"" +
                        shape.name + "\"); run this case with --no-foam");
-    default:
-      throw InputError(place(scene, shape) + ": shape \"" + shape.name +
-                       "\" is of a kind the mesh model does not have (it takes box, cylinder, sphere, level, layer, "
-                       "mesh and combinations); run this case with --no-foam");
+    case ShapeKind::cone:
+    case ShapeKind::prism:
+    case ShapeKind::bathymetry:
+      break;
   }
+  throw InputError(place(scene, shape) + ": shape \"" + shape.name +
+                   "\" is of a kind the mesh model does not have (it takes box, cylinder, sphere, level, layer, "
+                   "mesh and combinations); run this case with --no-foam");
 }
 
 const Shape& find_container(const Case& scene) {
@@ -146,7 +149,7 @@ MeshPlan plan_mesh(const Case& scene) {
   if (plan.faces[5] == Face::open) {
     const double top = highest_fluid(scene);
     const double above = scene.foam.open_above > 0 ? scene.foam.open_above : 0.5 * (top - plan.low.z());
-    // Whole cells of the size asked for; 1e-9 keeps a height that is a whole number of cells from gaining one.
+    // Whole cells of the wanted size. The 1e-9 keeps a height that is a whole number of cells from gaining one.
     plan.high.z() = plan.low.z() + plan.cell * std::ceil((top + above - plan.low.z()) / plan.cell - 1e-9);
   }
   for (const std::size_t axis : {0U, 1U, 2U}) {
@@ -164,7 +167,7 @@ MeshPlan plan_mesh(const Case& scene) {
 }
 
 SceneContents measure_contents(const Case& scene, const MeshPlan& plan) {
-  const int points = scene.info.dimension == 2 ? 4 : 2;  // a cell and direction
+  const int points = scene.info.dimension == 2 ? 4 : 2;  // in a cell, along each direction
   const int across = plan.faces[2] == Face::unused ? 1 : points;
   const Vec3 step = plan.size().cwiseQuotient(Vec3(points, across, points));
   const double sample = step.prod();

@@ -7,7 +7,7 @@
 
 namespace thalweg::foam {
 
-/// What lies behind a face of the block of cells.
+/// Kind of a face of the block of cells; `unused` closes a 2-D block along y.
 enum class Face { wall, open, periodic, unused };
 
 /// The block of equal cells in which the mesh model computes a scene.
@@ -18,15 +18,15 @@ struct MeshPlan {
   std::array<Face, 6> faces{};                 // -x +x -y +y -z +z
   bool has_solids = false;                     // solid walls are taken out of the block
   bool has_surfaces = false;                   // solid walls from surface meshes are taken out by snappyHexMesh
-  double cell = 0;                             // [m] asked for; size() is what fits the container
+  double cell = 0;                             // [m] wanted; size() is the nearest that fits the container
 
   [[nodiscard]] Vec3 size() const;                                    // [m] of one cell
   [[nodiscard]] double cell_volume() const { return size().prod(); }  // [m^3]; 2-D: per metre of width
   [[nodiscard]] std::int64_t cell_count() const { return cells[0] * cells[1] * cells[2]; }
-  [[nodiscard]] bool open(Face kind) const;  // whether any face is of this kind
+  [[nodiscard]] bool open(Face kind) const;  // true if any face is of this kind
 };
 
-/// Where the fluids reach to and how much the shapes hold, whatever the cells.
+/// Volumes of the fluids in the shapes, which do not depend on the cells.
 struct SceneContents {
   double water_volume = 0;     // [m^3]; 2-D: [m^3/m]
   double sediment_volume = 0;  // [m^3]; 2-D: [m^3/m]
@@ -38,7 +38,7 @@ double cell_size(const Case& scene);
 
 /// Plans the block of cells: the inside of the container (the one wall shape with side = "outside", a box); an open top
 /// lies foam.open_above over the fluid's highest point at the start. A 2-D block is 1 m wide, so that volumes are per
-/// metre of width. Throws InputError for what the mesh model cannot do.
+/// metre of width. Throws InputError for a scene that the mesh model cannot compute.
 MeshPlan plan_mesh(const Case& scene);
 
 /// Volumes of the shapes inside the block, from 4 x 4 points a cell in 2-D, 2 x 2 x 2 in 3-D. Throws InputError when

@@ -3,11 +3,13 @@
 
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/library/dictionary_words.hpp"
+#include "physics/sediment/material.hpp"
 
 namespace thalweg::foam {
 namespace {
 
-// Air at 20 degrees C (dry, sea level).
+// Dry air at 20 degrees C at sea level.
 constexpr double air_density = 1.2;                 // [kg/m^3]
 constexpr double air_kinematic_viscosity = 1.5e-5;  // [m^2/s]
 
@@ -42,17 +44,6 @@ std::string herschel_bulkley(const StockRheology& r) {
                      {"nu0", number(r.viscosity_cap / r.density)},
                      {"rho", number(r.density)}});
 }
-
-// The case file's word for a choice; the library's dictionaries use the same ones.
-template <class E>
-std::string word_of(E value) {
-  for (const Choice<E>& word : choices(E{})) {
-    if (word.value == value) return word.name;
-  }
-  return "";
-}
-
-std::string fit_word(YieldFit fit) { return fit == YieldFit::plane_strain ? "planeStrain" : word_of(fit); }
 
 // The particle model's own laws, compiled into libthalwegFoam.
 std::string thalweg_sediment(const FoamCase& foam_case) {
@@ -95,10 +86,10 @@ std::string thalweg_sediment(const FoamCase& foam_case) {
                      {"diameter", number(s.grain_diameter)},
                      {"friction_angle", number(s.friction_angle)},
                      {"cohesion", number(s.cohesion)},
-                     {"criterion", scene.model.yield == YieldCriterion::mohr_coulomb ? "mohrCoulomb" : "druckerPrager"},
-                     {"fit", fit_word(scene.model.plane_strain_fit())},
-                     {"closure", word_of(scene.model.effective_pressure)},
-                     {"rheology", scene.model.rheology == Rheology::mu_of_i ? "muOfI" : "herschelBulkley"},
+                     {"criterion", dictionary_word(scene.model.yield)},
+                     {"fit", dictionary_word(plane_strain_fit(scene.model.yield, scene.model.yield_fit))},
+                     {"closure", dictionary_word(scene.model.effective_pressure)},
+                     {"rheology", dictionary_word(scene.model.rheology)},
                      {"consistency", number(s.consistency)},
                      {"flow_index", number(s.flow_index)},
                      {"regularisation", number(s.regularisation)},
@@ -120,12 +111,12 @@ std::string purpose(const FoamCase& foam_case) {
       "a capillary rise.\n";
   if (foam_case.has_eroding_bed()) {
     return text +
-           "\nThe bed is no phase: system/controlDict has its laws, constant/fvOptions what it does to the "
-           "water.\nIts pores are full of water, so that the share of water does not change where it erodes.\n";
+           "\nThe bed is no phase: system/controlDict holds its laws, constant/fvOptions its forces on the water."
+           "\nIts pores are full of water, so that the share of water does not change where it erodes.\n";
   }
   if (foam_case.has_sediment_phase() && !foam_case.rheology) {
     return text +
-           "\nSediment: the particle model's own laws (physics), compiled into libthalwegFoam. SI, "
+           "\nSediment: the particle model's own laws (folder physics), compiled into libthalwegFoam. SI, "
            "dynamic viscosities;\n`columns` is the block of cells that the effective pressure is summed up in.\n";
   }
   if (!foam_case.rheology) return text;
@@ -134,7 +125,7 @@ std::string purpose(const FoamCase& foam_case) {
          fmt::format(
              "\nSediment: eta = min(nu0, tau0/gdot + k gdot^(n-1)), all divided by the bed's density of {:.6g} "
              "kg/m^3.\n"
-             "The stock model's yield stress does not know the pressure. tau0 = {:.4g} Pa is the particle model's\n"
+             "The stock model's yield stress is one number. tau0 = {:.4g} Pa is the particle model's\n"
              "K p_eff + c_0 at the middle of the bed as it lies at the start: K = {:.4g}, p_eff = {:.4g} Pa "
              "(submerged\n"
              "weight of half the mean thickness {:.4g} m). Above the middle the bed is too strong, below too weak.\n"
@@ -175,6 +166,22 @@ LES
 }
 )";
 
+std::string turbulence_properties(const Case& scene) {
+  std::string purpose;
+  std::string body;
+  switch (scene.foam.turbulence) {
+    case FoamTurbulence::laminar:
+      purpose = "No turbulence model, as in the particle model.";
+      body = "simulationType laminar;\n";
+      break;
+    case FoamTurbulence::smagorinsky:
+      purpose = "Large eddies, in all phases alike: Smagorinsky's model does not tell them apart.";
+      body = large_eddies;
+      break;
+  }
+  return foam_file(scene, "dictionary", "turbulenceProperties", purpose, body);
+}
+
 }  // namespace
 
 CaseFiles model_files(const FoamCase& foam_case) {
@@ -182,13 +189,7 @@ CaseFiles model_files(const FoamCase& foam_case) {
   CaseFiles files;
   files["constant/transportProperties"] =
       foam_file(scene, "dictionary", "transportProperties", purpose(foam_case), transport(foam_case));
-  files["constant/turbulenceProperties"] =
-      scene.foam.turbulence == FoamTurbulence::laminar
-          ? foam_file(scene, "dictionary", "turbulenceProperties", "No turbulence model, as in the particle model.",
-                      "simulationType laminar;\n")
-          : foam_file(scene, "dictionary", "turbulenceProperties",
-                      "Large eddies, in all phases alike: Smagorinsky's model does not know what it stirs.",
-                      large_eddies);
+  files["constant/turbulenceProperties"] = turbulence_properties(scene);
   files["constant/g"] = foam_file(scene, "uniformDimensionedVectorField", "g", "Gravity [m/s^2].",
                                   "dimensions [0 1 -2 0 0 0 0];\nvalue " + vector(scene.domain.gravity) + ";\n");
   return files;

@@ -8,9 +8,9 @@
 #include <iterator>
 
 #include "common/error.hpp"
+#include "common/process.hpp"
 #include "common/profile.hpp"
 #include "common/whole_file.hpp"
-#include "foam_reference/child_process.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -22,7 +22,7 @@ bool holds(const fs::path& file, const std::string& text) {
   return stream && std::string(std::istreambuf_iterator<char>(stream), {}) == text;
 }
 
-// summary.csv is written last, so its presence says that the run finished.
+// True if the folder holds a finished run of these files. summary.csv is written last.
 bool is_current(const fs::path& folder, const CaseFiles& files) {
   if (!fs::exists(folder / "summary.csv")) return false;
   for (const auto& [path, text] : files) {
@@ -31,7 +31,7 @@ bool is_current(const fs::path& folder, const CaseFiles& files) {
   return true;
 }
 
-// The times to compare may have changed while the dictionaries have not: fields are written at more times.
+// The times to compare may have changed although the dictionaries have not, since fields are written at more times.
 bool has_profiles(const fs::path& folder, const Case& scene) {
   return std::ranges::all_of(scene.compare.times,
                              [&](double time) { return fs::exists(folder / "profiles" / profile_file_name(time)); });
@@ -47,7 +47,7 @@ void write_files(const fs::path& folder, const CaseFiles& files) {
   }
 }
 
-// Takes away what an earlier run left, so that no result of it can pass for one of the new run.
+// Removes the results of an earlier run, so that none of them can pass for one of the new run.
 void clean(const fs::path& folder, const FoamCase& foam_case) {
   fs::remove(folder / "summary.csv");
   fs::remove(folder / "history.csv");
@@ -56,8 +56,7 @@ void clean(const fs::path& folder, const FoamCase& foam_case) {
   fs::remove_all(folder / "case" / "constant");
   fs::remove_all(folder / "case" / "0.orig");
   write_files(folder / "case", scripts(foam_case));
-  ChildProcess allclean({"/bin/sh", (folder / "case" / "Allclean").string()}, folder / "log.Allclean");
-  allclean.wait();
+  ChildProcess({"/bin/sh", (folder / "case" / "Allclean").string()}, {.log = folder / "log.Allclean"}).wait();
   fs::remove(folder / "log.Allclean");
 }
 

@@ -7,7 +7,7 @@
 
 namespace thalweg::foam {
 
-/// Whether reference_run had to compute.
+/// Outcome of reference_run.
 enum class Reference { computed, already_there };
 
 /// Runs the mesh model of a case in `folder` (RunFolder::foam(), or another one for a second mesh):
@@ -15,7 +15,7 @@ enum class Reference { computed, already_there };
 ///   profiles/     the elevations at compare.times (common/profile.hpp)
 ///   history.csv   volumes of the phases and the continuity error at every step
 ///   summary.csv   what was run, what it cost, how well volumes were kept
-/// A run that is there, finished and of exactly these dictionaries is not repeated; profiles it lacks are sampled.
+/// A finished run of exactly these dictionaries is not repeated; profiles that it lacks are sampled.
 /// Throws InputError (also without OpenFOAM), RunError, Interrupted.
 Reference reference_run(const FoamCase& foam_case, const std::filesystem::path& folder);
 
@@ -26,7 +26,7 @@ struct VolumeBalance {
   double end = 0;
   double outflow = 0;  // through open faces
 
-  /// Share of the start's volume that has appeared or vanished, outflow apart; 0 for a phase that was never there.
+  /// Volume that has appeared or vanished, outflow apart, over that at the start; 0 for a phase that was not there.
   [[nodiscard]] double relative_error() const { return start > 0 ? (end + outflow - start) / start : 0; }
 };
 
@@ -37,7 +37,7 @@ inline constexpr double volume_tolerance = 1e-3;
 void write_profiles(const FoamCase& foam_case, const std::filesystem::path& folder);
 
 /// Reads a finished run's fields and writes `folder`/profiles, history.csv and summary.csv.
-/// Returns the balances of water and, where there is any, sediment.
+/// Returns the balances of water and, if there is any, sediment.
 std::vector<VolumeBalance> write_results(const FoamCase& foam_case, const std::filesystem::path& folder,
                                          const FoamRun& run);
 

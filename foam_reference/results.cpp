@@ -1,4 +1,4 @@
-// From the fields and tables OpenFOAM wrote to profiles, history.csv and summary.csv.
+// Makes profiles, history.csv and summary.csv from the fields and tables that OpenFOAM has written.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <numeric>
 #include <sstream>
 
-#include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/profile.hpp"
@@ -16,13 +15,14 @@
 #include "foam_reference/column_sampler.hpp"
 #include "foam_reference/field_file.hpp"
 #include "foam_reference/reference_run.hpp"
+#include "foam_reference/summary.hpp"
 
 namespace thalweg::foam {
 namespace {
 
 namespace fs = std::filesystem;
 
-// OpenFOAM names a time's folder after the time, in a spelling of its own.
+// The folder of a time's fields. OpenFOAM names it after the time, in a spelling of its own.
 fs::path time_folder(const fs::path& case_folder, double time) {
   for (const fs::directory_entry& entry : fs::directory_iterator(case_folder)) {
     const std::string name = entry.path().filename().string();
@@ -62,8 +62,6 @@ std::vector<std::vector<double>> read_table(const fs::path& file) {
   }
   return rows;
 }
-
-std::string volume_unit(const FoamCase& foam_case) { return foam_case.scene.info.dimension == 2 ? "m^3/m" : "m^3"; }
 
 // Time, grains of the bed, in suspension and gone [m^3], lowest and highest bed [m]: the start, then every step.
 constexpr std::size_t grain_columns = 6;
@@ -118,96 +116,7 @@ double outflow(const FoamCase& foam_case, const fs::path& folder, const std::str
   return sum;
 }
 
-class Summary {
- public:
-  void row(const std::string& quantity, const std::string& value, const std::string& unit = "") {
-    table_.add_row({quantity, value, unit});
-  }
-  void row(const std::string& quantity, double value, const std::string& unit) {
-    row(quantity, csv_number(value), unit);
-  }
-  void count(const std::string& quantity, std::size_t value) { row(quantity, std::to_string(value), "-"); }
-  void write(const fs::path& file) const { table_.write(file); }
-
- private:
-  CsvTable table_{{{"quantity", ""}, {"value", ""}, {"unit", ""}}};
-};
-
-void write_rheology(Summary& summary, const StockRheology& rheology) {
-  summary.row("viscosity_model", "HerschelBulkley (stock; yield stress without pressure)");
-  summary.row("tau0", rheology.yield_stress, "Pa");
-  summary.row("tau0_choice", "K p_eff + c_0 at the middle of the initial bed");
-  summary.row("tau0_yield_coefficient", rheology.yield_coefficient, "-");
-  summary.row("tau0_effective_pressure", rheology.effective_pressure, "Pa");
-  summary.row("consistency", rheology.consistency, "Pa s^n");
-  summary.row("flow_index", rheology.flow_index, "-");
-  summary.row("viscosity_cap", rheology.viscosity_cap, "Pa s");
-  summary.row("bed_density", rheology.density, "kg/m^3");
-}
-
-// What decides the sediment in the library's models; the particle model's own words.
-void write_sediment(Summary& summary, const FoamCase& foam_case) {
-  const Case& scene = foam_case.scene;
-  const SedimentParameters& sediment = scene.sediment();
-  if (foam_case.has_eroding_bed()) {
-    summary.row("bed_load", scene.foam.bed_load == BedLoad::van_rijn ? "van Rijn 1984" : "Meyer-Peter & Mueller 1948");
-    summary.row("pick_up", scene.foam.pick_up == PickUp::van_rijn ? "van Rijn 1984" : "Mastbergen & van den Berg 2003");
-    summary.row("grain_diameter", sediment.grain_diameter, "m");
-    summary.row("angle_of_repose", sediment.friction_angle, "rad");
-    return;
-  }
-  const double coefficient = yield_pressure_coefficient(sediment.friction_angle, scene.model.plane_strain_fit());
-  const double deepest = coefficient * (sediment.bed_density() - sediment.pore_density) * -scene.domain.gravity.z() *
-                         foam_case.contents.bed_thickness;
-  summary.row("viscosity_model", "the particle model's (libthalwegFoam)");
-  summary.row("yield_coefficient", coefficient, "-");
-  summary.row("largest_viscosity", deepest * sediment.regularisation / 2 + sediment.consistency, "Pa s");
-  summary.row("consistency", sediment.consistency, "Pa s^n");
-  summary.row("flow_index", sediment.flow_index, "-");
-  summary.row("bed_density", sediment.bed_density(), "kg/m^3");
-}
-
-std::string sentence_of(const FoamCase& foam_case) {
-  const std::string turbulence = foam_case.scene.foam.turbulence == FoamTurbulence::laminar ? "laminar" : "Smagorinsky";
-  if (foam_case.has_eroding_bed()) return "interFoam over an eroding bed (libthalwegFoam; " + turbulence + ")";
-  if (needs_library(foam_case.scene, foam_case.model)) {
-    return "multiphaseInterFoam, sediment by the particle model's laws (libthalwegFoam; " + turbulence + ")";
-  }
-  return foam_case.application() + " (stock OpenFOAM; " + turbulence + ")";
-}
-
-void write_summary(const FoamCase& foam_case, const fs::path& folder, const FoamRun& run, std::size_t cells,
-                   const std::vector<VolumeBalance>& balances) {
-  const std::string unit = volume_unit(foam_case);
-  Summary summary;
-  summary.row("case", foam_case.scene.info.name);
-  summary.row("case_hash", hash_of(foam_case.scene));
-  summary.row("code_version", THALWEG_VERSION);
-  summary.row("mesh_model", name_of(foam_case.model));
-  summary.row("model", sentence_of(foam_case));
-  summary.row("openfoam_version", run.openfoam_version);
-  if (foam_case.rheology) write_rheology(summary, *foam_case.rheology);
-  if (needs_library(foam_case.scene, foam_case.model)) write_sediment(summary, foam_case);
-  summary.row("cell_size", foam_case.plan.cell, "m");
-  summary.count("cells", cells);
-  summary.count("ranks", static_cast<std::size_t>(foam_case.ranks));
-  summary.count("steps", run.steps.size());
-  summary.row("physical_time", foam_case.scene.output.end, "s");
-  summary.row("cpu_seconds", run.cpu_seconds, "s");
-  summary.row("wall_seconds", run.wall_seconds, "s");
-  summary.row("water_volume_shapes", foam_case.contents.water_volume, unit);
-  summary.row("sediment_volume_shapes", foam_case.contents.sediment_volume, unit);
-  for (const VolumeBalance& balance : balances) {
-    summary.row(balance.phase + "_volume_start", balance.start, unit);
-    summary.row(balance.phase + "_volume_end", balance.end, unit);
-    summary.row(balance.phase + "_outflow", balance.outflow, unit);
-    summary.row(balance.phase + "_volume_error", balance.relative_error(), "-");
-  }
-  summary.row("continuity_error", run.steps.empty() ? 0 : run.steps.back().continuity_error, "-");
-  summary.write(folder / "summary.csv");
-}
-
-// The eroding bed's columns at a time: x, y, floor, bed, thickness of what is in suspension, and transport.
+// The eroding bed's columns at a time: x, y, floor, bed, thickness of the grains in suspension, and transport.
 BedColumns read_bed(const fs::path& folder, double time) {
   BedColumns bed;
   const fs::path tables = time_folder(folder / "case/postProcessing" / eroding_bed_name, time);
@@ -272,7 +181,7 @@ std::vector<VolumeBalance> write_results(const FoamCase& foam_case, const fs::pa
   if (foam_case.has_eroding_bed()) balances.push_back(balance_of_grains(folder));
   write_profiles(foam_case, folder);
   write_history(foam_case, folder, run.steps);
-  write_summary(foam_case, folder, run, cells, balances);
+  write_summary(foam_case, folder / "summary.csv", run, cells, balances);
   return balances;
 }
 

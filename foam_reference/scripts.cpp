@@ -1,4 +1,4 @@
-// Allrun and Allclean: the run without thalweg-foam, and what thalweg-foam itself calls.
+// Allrun and Allclean: they repeat the run by hand, and thalweg-foam itself calls them.
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
 #include "foam_reference/surface_files.hpp"

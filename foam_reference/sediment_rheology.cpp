@@ -1,21 +1,26 @@
 #include "foam_reference/sediment_rheology.hpp"
 
+#include "physics/sediment/effective_pressure.hpp"
+
 namespace thalweg::foam {
+
+SedimentMaterial<double> sediment_material(const Case& scene) {
+  return make_material<double>(scene.sediment(), {scene.model.yield, scene.model.yield_fit, scene.model.rheology});
+}
 
 StockRheology stock_rheology(const Case& scene, const SceneContents& contents) {
   const SedimentParameters& sediment = scene.sediment();
-  const double submerged_density = sediment.bed_density() - sediment.pore_density;
+  const SedimentMaterial<double> material = sediment_material(scene);
+  const double weight = submerged_weight(sediment.bed_density(), sediment.pore_density, scene.domain.gravity.norm());
 
   StockRheology rheology;
   rheology.density = sediment.bed_density();
-  rheology.yield_coefficient = yield_pressure_coefficient(sediment.friction_angle, scene.model.plane_strain_fit());
-  rheology.effective_pressure = submerged_density * scene.domain.gravity.norm() * contents.bed_thickness / 2;
-  rheology.yield_stress =
-      rheology.yield_coefficient * rheology.effective_pressure +
-      yield_cohesion_term(sediment.cohesion, sediment.friction_angle, scene.model.plane_strain_fit());
-  rheology.consistency = sediment.consistency;
-  rheology.flow_index = sediment.flow_index;
-  rheology.viscosity_cap = rheology.yield_stress * sediment.regularisation / 2 + sediment.consistency;
+  rheology.yield_coefficient = material.yield_coefficient;
+  rheology.effective_pressure = weight * contents.bed_thickness / 2;
+  rheology.yield_stress = yield_stress_of(material, rheology.effective_pressure, 0.0);
+  rheology.consistency = material.consistency;
+  rheology.flow_index = material.flow_index;
+  rheology.viscosity_cap = rheology.yield_stress * material.regularisation / 2 + material.consistency;
   return rheology;
 }
 

@@ -94,9 +94,13 @@ bool contains(const Case& scene, const Shape& shape, const Vec3& point) {
       return std::ranges::all_of(shape.of, in_part);
     case ShapeKind::combine_difference:
       return in_part(shape.of.front()) && std::none_of(shape.of.begin() + 1, shape.of.end(), in_part);
-    default:
-      return false;  // plan_mesh refuses every other kind
+    case ShapeKind::cone:
+    case ShapeKind::prism:
+    case ShapeKind::bathymetry:
+    case ShapeKind::mesh:
+      break;  // plan_mesh refuses these but for a meshed solid, whose inside OpenFOAM finds
   }
+  return false;
 }
 
 Bounds bounds_of(const Case& scene, const Shape& shape) {
@@ -113,9 +117,18 @@ Bounds bounds_of(const Case& scene, const Shape& shape) {
     case ShapeKind::cylinder:
       if (scene.info.dimension == 2) return around(shape.center, shape.center, shape.radius);
       return around(shape.from, shape.to, shape.radius);
-    default:
+    case ShapeKind::combine_union:
+    case ShapeKind::combine_difference:
+    case ShapeKind::combine_intersection:
       return combined_bounds(scene, shape);
+    case ShapeKind::cone:
+    case ShapeKind::prism:
+    case ShapeKind::bathymetry:
+    case ShapeKind::mesh:
+      break;  // plan_mesh refuses them as fluid, and as parts of it
   }
+  throw InputError(place(scene, shape) + ": the mesh model does not know the bounds of \"" + shape.name +
+                   "\"; run this case with --no-foam");
 }
 
 Material material_at(const Case& scene, const Vec3& point) {
@@ -129,7 +142,8 @@ Material material_at(const Case& scene, const Vec3& point) {
       case ShapeRole::wall:
       case ShapeRole::moving_wall:
         return Material::solid;
-      default:
+      case ShapeRole::empty:
+      case ShapeRole::none:
         return Material::air;
     }
   }

@@ -19,7 +19,7 @@ class SolverLog {
  public:
   explicit SolverLog(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Reads what has been written since the last call; a log that does not exist yet is an empty one.
+  /// Reads the lines written since the last call. A log that does not exist yet counts as empty.
   void read_on();
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -37,7 +37,7 @@ class SolverLog {
   double dt_ = 0;
 };
 
-/// The reason a program of OpenFOAM gives in its log for stopping, on one line; empty when it gives none.
+/// The reason that a program of OpenFOAM gives in its log for its failure, on one line; empty if it gives none.
 std::string fatal_message(const std::filesystem::path& log);
 
 }  // namespace thalweg::foam

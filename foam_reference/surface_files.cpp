@@ -22,7 +22,7 @@ std::string contents_of(const Case& scene, const Shape& shape) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Numbered, since a shape's name may hold what a patch's name may not.
+// A number, since a shape's name may hold characters that a patch's name may not.
 std::string surface_name(const Case& scene, const Shape& shape) {
   return "surface" + std::to_string(&shape - scene.shapes.data());
 }
@@ -48,7 +48,7 @@ std::string snappy(const FoamCase& foam_case) {
                 "; }  // shape \"" + shape->name + "\"\n";
     refinement += "        " + name + " { level (0 0); patchInfo { type wall; } }\n";
   }
-  // The uppermost corner of the flow, off the faces of cells.
+  // A point near the uppermost corner of the flow that lies on no face of a cell.
   const Vec3 inside = foam_case.plan.high - 0.3719 * foam_case.plan.size();
   return substitute(R"(castellatedMesh true;
 snap            false;

@@ -6,11 +6,11 @@
 
 namespace thalweg::foam {
 
-/// Surface meshes of solid walls as the case names them, and the dictionary that takes their inside out of the mesh;
-/// nothing without. Throws InputError.
+/// The files of the surface meshes of solid walls that the case names, and the dictionary that takes their inside out
+/// of the mesh; empty if there are none. Throws InputError where a file cannot be read.
 CaseFiles surface_files(const FoamCase& foam_case);
 
-/// What Allrun does with them after blockMesh.
+/// The steps of Allrun after blockMesh that use them.
 std::string surface_steps(const FoamCase& foam_case);
 
 }  // namespace thalweg::foam

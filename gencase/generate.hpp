@@ -40,7 +40,7 @@ struct Generated {
 struct GenerateOptions {
   double memory_limit = available_memory();  // [bytes]
   Notes notes;
-  Progress::Show progress;  // draws the progress of a long filling
+  bool progress = false;  // shows on a terminal how far a long filling is
 };
 
 /// Fills the scene with particles at hydrostatic rest. Says their number and memory before it allocates them. Throws

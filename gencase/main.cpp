@@ -1,8 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -20,15 +18,6 @@ namespace {
 using thalweg::Case;
 namespace fs = std::filesystem;
 
-/// Draws a progress bar on one line of a terminal. It is not used if stderr is a file.
-void draw_bar(const std::string& what, double share) {
-  constexpr int width = 30;
-  const int done = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
-  fmt::print(stderr, "\r[{}{}] {:3.0f} % {:<30}{}", std::string(static_cast<std::size_t>(done), '#'),
-             std::string(static_cast<std::size_t>(width - done), ' '), 100 * share, what, share >= 1 ? "\n" : "");
-  std::fflush(stderr);
-}
-
 thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check) {
   thalweg::gencase::GenerateOptions options;
   options.notes.say = [](const std::string& line) {
@@ -42,7 +31,7 @@ thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check
       thalweg::write_lines(file, lines);
       return file.string();
     };
-  if (isatty(STDERR_FILENO) != 0) options.progress = draw_bar;
+  options.progress = true;
   return options;
 }
 

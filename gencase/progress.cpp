@@ -1,29 +1,36 @@
 #include "gencase/progress.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace thalweg::gencase {
+namespace {
 
-void Progress::stage(std::string what, std::int64_t total) {
-  what_ = std::move(what);
+std::string text_of(const std::string& name, double share) {
+  return fmt::format("{} {:3.0f} % {}", progress_bar(share, ' '), 100 * share, name);
+}
+
+}  // namespace
+
+void Progress::stage(std::string name, std::int64_t total) {
+  name_ = std::move(name);
   total_ = std::max<std::int64_t>(total, 1);
   done_ = 0;
 }
 
 void Progress::add(std::int64_t units) {
   const std::int64_t done = done_ += units;
-  if (!show_) return;
+  if (!visible_) return;
   const std::unique_lock lock(drawing_, std::try_to_lock);
   if (!lock) return;  // another thread draws
-  const auto now = Clock::now();
-  if (now - begin_ < std::chrono::seconds(2) || now - last_ < std::chrono::milliseconds(200)) return;
-  last_ = now;
-  drawn_ = true;
-  show_(what_, static_cast<double>(done) / static_cast<double>(total_));
+  line_.show([&] { return text_of(name_, static_cast<double>(done) / static_cast<double>(total_)); });
 }
 
 void Progress::finish() {
-  if (drawn_) show_("done", 1);
+  if (!line_.is_shown()) return;
+  line_.write(text_of("done", 1));
+  line_.finish();
 }
 
 }  // namespace thalweg::gencase

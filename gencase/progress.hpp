@@ -1,39 +1,33 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <string>
 
+#include "common/progress.hpp"
+
 namespace thalweg::gencase {
 
-/// Tells how far a long computation is. Nothing is shown during the first two seconds.
+/// Counts the work of a long filling and shows on a terminal how far it is. A log gets nothing.
 class Progress {
  public:
-  /// `show(what, share)` draws: what is being done, and its share done from 0 to 1.
-  using Show = std::function<void(const std::string&, double)>;
-  explicit Progress(Show show = {}) : show_(std::move(show)) {}
+  explicit Progress(bool visible = false) : visible_(visible && line_.on_terminal()) {}
 
   /// Begins a stage of `total` units of work.
-  void stage(std::string what, std::int64_t total);
+  void stage(std::string name, std::int64_t total);
   /// Reports work done; from any thread.
   void add(std::int64_t units);
-  /// Draws the last stage as done, if anything was drawn.
+  /// Shows all work as done, if anything was shown.
   void finish();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  Show show_;
-  std::string what_;
+  ProgressLine line_{{.width = 69, .quiet = std::chrono::seconds(2)}};
+  bool visible_;
+  std::string name_;
   std::int64_t total_ = 1;
   std::atomic<std::int64_t> done_ = 0;
   std::mutex drawing_;
-  Clock::time_point begin_ = Clock::now();
-  Clock::time_point last_ = begin_;
-  bool drawn_ = false;
 };
 
 }  // namespace thalweg::gencase

@@ -1,6 +1,6 @@
 #pragma once
 
-// Marks a function for host and device; the physics headers include nothing else of Thalweg.
+// HOST_DEVICE marks a function that runs on the host and on a device. nvcc needs the mark; other compilers see nothing.
 #if defined(__CUDACC__)
 #define HOST_DEVICE __host__ __device__
 #else

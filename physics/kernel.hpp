@@ -8,13 +8,15 @@ namespace thalweg {
 ///   W(q)  = s (1 - q/2)^4 (2q + 1),            s = 21/(16 pi h^3) in 3-D, 7/(4 pi h^2) in 2-D
 ///   dW/dr = -5 s q (1 - q/2)^3 / h
 /// so that grad W = F r with F = -5 s (1 - q/2)^3 / h^2: no division by r, finite at r = 0.
-/// Both are coded on t = max(0, 1 - q/2), which makes them vanish outside the support without a branch.
+/// Both are coded on the closeness t = max(0, 1 - q/2), so that they vanish outside the support without a branch.
+/// Real: type of the constants; L: a number or a pack of numbers.
 template <int Dim, class Real>
 struct WendlandC2 {
   Real half_inverse_h;   // 1/(2h) [1/m]
-  Real value_factor;     // s
-  Real gradient_factor;  // -5 s / h^2
+  Real value_factor;     // s [1/m^Dim]
+  Real gradient_factor;  // -5 s / h^2 [1/m^(Dim+2)]
 
+  /// h: smoothing length [m], > 0.
   HOST_DEVICE explicit WendlandC2(Real h) {
     constexpr double pi = 3.14159265358979323846;
     const double s =
@@ -24,7 +26,7 @@ struct WendlandC2 {
     gradient_factor = Real(-5 * s / (double(h) * double(h)));
   }
 
-  /// t = max(0, 1 - q/2) from the distance [m].
+  /// Closeness t [-] of two points at a distance [m]: 1 at the same place, 0 outside the support.
   template <class L>
   HOST_DEVICE L closeness(const L& distance) const {
     return lane_max(L(1) - distance * L(half_inverse_h), L(0));

@@ -6,8 +6,9 @@
 
 #include "physics/host_device.hpp"
 
-// The few operations a pair term may use, for one particle pair at a time (float on a GPU, float or double in tests).
-// solver/backend/pack.hpp overloads the same names for several pairs at a time (SIMD), so that a law is written once.
+// The few operations that a pair term may use, for one particle pair at a time (float on a GPU, float or double in
+// tests). solver/backend/pack.hpp overloads the same names for several pairs at a time (SIMD), so that a law is written
+// once.
 namespace thalweg {
 
 HOST_DEVICE inline float lane_max(float a, float b) { return a > b ? a : b; }
@@ -16,7 +17,7 @@ HOST_DEVICE inline float lane_select(bool condition, float yes, float no) { retu
 HOST_DEVICE inline float lane_reciprocal(float a) { return 1.0F / a; }
 HOST_DEVICE inline float lane_sqrt(float a) { return sqrtf(a); }
 
-/// a - b of whole numbers that wrap around, and what conditions are made of.
+// Differences of whole numbers that wrap around, and the parts of conditions.
 HOST_DEVICE inline std::int32_t lane_difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
@@ -24,13 +25,13 @@ HOST_DEVICE inline float to_float(std::int32_t a) { return static_cast<float>(a)
 HOST_DEVICE inline bool lane_or(bool a, bool b) { return a || b; }
 HOST_DEVICE inline bool lane_and_not(bool a, bool b) { return a && !b; }
 
-/// A float that is not negative, without its sign and the lower 15 bits, for arrays that cost memory traffic: any size
-/// of number, to 2^-9 of it.
+/// A float >= 0 without its sign and its lower 15 bits, for arrays that cost memory traffic. It keeps the whole range
+/// of float, with a relative error of 2^-9.
 struct ShortFloat {
   std::uint16_t bits;
 };
 
-/// One number, or as many as the lane holds, of an array with one number a pair.
+// Store to and load from an array with one number for each pair: as many numbers as the lane holds.
 HOST_DEVICE inline void lane_store(float* to, float a) { *to = a; }
 HOST_DEVICE inline void lane_load(const float* from, float& a) { a = *from; }
 HOST_DEVICE inline void lane_store(ShortFloat* to, float a) {

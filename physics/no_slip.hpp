@@ -5,15 +5,17 @@
 #include "physics/kernel.hpp"
 #include "physics/vec.hpp"
 
-// Fluid that sticks to a wall is at rest on the wall's surface, not where the wall's particles are, half a spacing and
-// more behind it. A particle at the distance d of the surface drags as if the velocity went on linearly through it
-// (Morris, Fox & Zhu 1997, J. Comput. Phys. 136, 214-226, eq. 22): that of a wall particle at the depth e counts
-// (d + e)/d times. Walls at rest only add to the diagonal of the viscous system, so that one factor a particle does:
+// Fluid that sticks to a wall is at rest on the wall's surface. The wall's particles lie half a spacing and more behind
+// that surface. A fluid particle at the distance d from the surface is therefore dragged as if the velocity went on
+// linearly through the surface (Morris, Fox & Zhu 1997, J. Comput. Phys. 136, 214-226, eq. 22): the velocity difference
+// to a wall particle at the depth e counts (d + e)/d times. Walls at rest add to the diagonal of the viscous system
+// only, so that one factor f for each fluid particle suffices:
 //   sum_w k_w (d + e_w)/d = f sum_w k_w,   f = l/d,   l = |sum_w k_w (x_a - x_w)| / sum_w k_w
-// l is the mean distance of the wall's particles along its normal, and says how far the surface is as well.
+// l [m] is the mean distance of the wall's particles along its normal. It tells d too, so that a table
+// gives f from l.
 namespace thalweg {
 
-/// What a sweep sums of the walls in reach.
+/// Sums over the walls in reach of a particle.
 template <int Dim, class L>
 struct WallDrag {
   L coefficients;        // k [kg/s]
@@ -28,14 +30,15 @@ struct WallDrag {
   }
 };
 
-/// The excess f - 1 over the mean distance l, for walls of lattice rows that begin half a spacing behind their surface.
+/// Table of the excess f - 1 [-] over the mean distance l, for walls of lattice rows that begin half a spacing behind
+/// their surface.
 template <int Dim>
 class NoSlip {
  public:
   NoSlip() = default;
   /// smoothing_length, spacing [m].
   NoSlip(double smoothing_length, double spacing) {
-    const double nearest = 0.4 * spacing;  // closer, and between walls, f is that of here
+    const double nearest = 0.4 * spacing;  // closer than this, and between walls, f keeps its value from here
     const double farthest = 2 * smoothing_length - 0.6 * spacing;
     const double first = mean_distance(smoothing_length, spacing, nearest);
     const double step = (mean_distance(smoothing_length, spacing, farthest) - first) / intervals;

@@ -4,7 +4,7 @@
 
 namespace thalweg {
 
-/// A vector of the scene's dimension: (x, z) in 2-D, (x, y, z) in 3-D; the last entry is always the vertical one.
+/// A vector of the scene's dimension: (x, z) in 2-D, (x, y, z) in 3-D. The last entry is always the vertical one.
 /// T is a number or a pack of numbers.
 template <int Dim, class T>
 struct Vec {
@@ -47,7 +47,7 @@ HOST_DEVICE inline T dot(const Vec<Dim, T>& a, const Vec<Dim, T>& b) {
   return sum;
 }
 
-/// Which of x, y, z (0, 1, 2) the k-th entry of a Vec<Dim> is.
+/// Axis of the k-th entry of a Vec<Dim>: 0 for x, 1 for y, 2 for z.
 template <int Dim>
 HOST_DEVICE constexpr int axis(int k) {
   return (Dim == 2 && k == 1) ? 2 : k;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <sys/types.h>
-
-#include <filesystem>
+#include <optional>
 #include <string>
-#include <vector>
+
+#include "common/process.hpp"
 
 namespace thalweg {
 
@@ -13,19 +12,13 @@ namespace thalweg {
 class Display {
  public:
   Display();
-  ~Display();
-  Display(const Display&) = delete;
-  Display& operator=(const Display&) = delete;
 
   /// Empty when there is a display; else why not, and what to do.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
 
  private:
-  pid_t server_ = 0;
+  std::optional<ChildProcess> server_;
   std::string why_not_;
 };
-
-/// Runs a program by name with its output in `log`; its exit status, 127 when there is no such program.
-int run_program(const std::vector<std::string>& command, const std::filesystem::path& log);
 
 }  // namespace thalweg

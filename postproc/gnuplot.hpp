@@ -6,7 +6,7 @@
 
 namespace thalweg {
 
-/// What became of a script.
+/// Outcome of a script.
 enum class GnuplotResult { drawn, not_installed };
 
 /// Runs `gnuplot script` in the script's folder, without a display. The program may be named otherwise by the

@@ -26,6 +26,7 @@
 
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
+#include "common/process.hpp"
 #include "common/whole_file.hpp"
 #include "postproc/display.hpp"
 #include "postproc/snapshots.hpp"
@@ -234,20 +235,25 @@ class Stage {
 void make_film(const fs::path& frames, const fs::path& film, Movie& movie) {
   const fs::path log = frames / "ffmpeg.log";
   const fs::path partial = frames / "film.mp4";
-  const int status = run_program({"ffmpeg", "-y", "-framerate", "10", "-i", (frames / "f%05d.png").string(), "-c:v",
-                                  "libx264", "-crf", "18", "-pix_fmt", "yuv420p", partial.string()},
-                                 log);
-  if (status == 127) {
+  std::error_code ignored;
+  int status = 0;
+  try {
+    status = ChildProcess({"ffmpeg", "-y", "-framerate", "10", "-i", (frames / "f%05d.png").string(), "-c:v", "libx264",
+                           "-crf", "18", "-pix_fmt", "yuv420p", partial.string()},
+                          {.log = log})
+                 .wait();
+  } catch (const StartError&) {
     movie.warnings.emplace_back(
         "--movie: there are frames but no film, for ffmpeg is not installed; apt-get install ffmpeg");
-  } else if (status != 0) {
+    fs::remove(log, ignored);
+    return;
+  }
+  if (status != 0) {
     movie.warnings.push_back("--movie: ffmpeg failed; what it said is in " + log.string());
     return;
-  } else {
-    fs::rename(partial, film);
-    movie.film = film;
   }
-  std::error_code ignored;
+  fs::rename(partial, film);
+  movie.film = film;
   fs::remove(log, ignored);
 }
 

@@ -10,6 +10,7 @@
 #include "case/reader/case_file.hpp"
 #include "common/app/programs.hpp"
 #include "common/error.hpp"
+#include "common/process.hpp"
 #include "common/run_folder.hpp"
 
 namespace thalweg {
@@ -18,7 +19,7 @@ namespace {
 struct Stage {
   std::string name;
   std::vector<std::string> arguments;
-  bool needed = true;  // the pipeline ends where it fails
+  bool needed = true;  // the pipeline ends if it fails
 };
 
 std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, const std::string& out) {
@@ -67,11 +68,13 @@ int run_pipeline(const PipelineOptions& given) {
   }
 
   const std::vector<Stage> stages = stages_of(options, scene, out);
-  for (const Stage& stage : stages) (void)stage_program(stage.name);  // all there, before the first takes its time
+  for (const Stage& stage : stages) (void)stage_program(stage.name);  // throws before the first one runs
   for (const Stage& stage : stages) {
     announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
     const auto begin = std::chrono::steady_clock::now();
-    const int status = run_and_wait(stage_program(stage.name), stage.arguments);
+    std::vector<std::string> command{stage_program(stage.name).string()};
+    command.insert(command.end(), stage.arguments.begin(), stage.arguments.end());
+    const int status = run_in_foreground(command);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (status == static_cast<int>(Exit::run_failed) && !stage.needed) {
       announce(fmt::format("== {} failed; the report does without this coarser run", stage.name));

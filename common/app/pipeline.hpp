@@ -6,7 +6,7 @@
 
 namespace thalweg {
 
-/// What `thalweg run` was asked for.
+/// Options of `thalweg run`.
 struct PipelineOptions {
   std::filesystem::path case_path;
   std::filesystem::path out;            // empty: out/<case name>
@@ -15,8 +15,8 @@ struct PipelineOptions {
   bool foam = true;                     // also the mesh model
 };
 
-/// Runs gencase, solver, foam and postproc one after the other, and says so. Returns 0, or the exit status of the first
-/// stage that fails. Throws InputError when the case is wrong.
+/// Runs gencase, solver, foam and postproc one after the other, with a line on each. Returns 0, or the exit status of
+/// the first stage that fails. Throws InputError if the case is wrong.
 int run_pipeline(const PipelineOptions& options);
 
 }  // namespace thalweg

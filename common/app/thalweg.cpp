@@ -8,6 +8,7 @@
 #include "common/app/programs.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
+#include "common/process.hpp"
 
 namespace thalweg {
 namespace {
@@ -82,7 +83,9 @@ int thalweg_program(int argc, char** argv) {
     return static_cast<int>(Exit::done);
   }
   if (command.empty()) throw InputError("thalweg: no command is given; see thalweg --help");
-  become(stage_program(command), {argv + 2, argv + argc});
+  std::vector<std::string> stage{stage_program(command).string()};
+  stage.insert(stage.end(), argv + 2, argv + argc);
+  become(stage);
 }
 
 }  // namespace

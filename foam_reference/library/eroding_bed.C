@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include <Enum.H>
 #include <Tuple2.H>
 #include <addToRunTimeSelectionTable.H>
 #include <gravityMeshObject.H>
 #include <surfaceFields.H>
 #include <zeroGradientFvPatchFields.H>
+#include "foam_reference/library/dictionary_choices.H"
 #include "foam_reference/library/suspended_grains.H"
 
 namespace Foam {
@@ -22,12 +22,12 @@ namespace {
 
 using thalweg::BedLoad;
 using thalweg::PickUp;
+using thalweg::foam::dictionary_choices;
 
 constexpr double far = std::numeric_limits<double>::max();
 
-const Enum<BedLoad> bed_load_names({{BedLoad::meyer_peter_mueller, "meyerPeterMueller"},
-                                    {BedLoad::van_rijn, "vanRijn"}});
-const Enum<PickUp> pick_up_names({{PickUp::mastbergen, "mastbergen"}, {PickUp::van_rijn, "vanRijn"}});
+const auto bed_loads = dictionary_choices(BedLoad::meyer_peter_mueller, BedLoad::van_rijn);
+const auto pick_ups = dictionary_choices(PickUp::mastbergen, PickUp::van_rijn);
 
 std::size_t at(int column) { return static_cast<std::size_t>(column); }
 
@@ -87,8 +87,8 @@ bool erodingBed::read(const dictionary& dict) {
   law.lift_ratio = dict.get<scalar>("liftRatio");
   law.roughness = dict.get<scalar>("roughness");
   law.critical_shields = dict.get<scalar>("criticalShields");
-  law.bed_load = bed_load_names.get("bedLoad", dict);
-  law.pick_up = pick_up_names.get("pickUp", dict);
+  law.bed_load = bed_loads.get("bedLoad", dict);
+  law.pick_up = pick_ups.get("pickUp", dict);
   law.water_density = dimensionedScalar("rho", dimDensity, water).value();
   law.water_viscosity = dimensionedScalar("nu", dimViscosity, water).value();
   law.gravity = mag(meshObjects::gravity::New(time_).value());
@@ -97,7 +97,7 @@ bool erodingBed::read(const dictionary& dict) {
 
 std::vector<double> erodingBed::suspended() const { return columns_.volume_of(grains_.primitiveField()); }
 
-// Water whose velocity counts stands at least half a cell above the bed: below, the cell is partly bed.
+// The velocity is taken at least half a cell above the bed, because a cell below that is partly bed.
 void erodingBed::find_transport() {
   const auto& U = mesh_.lookupObject<volVectorField>("U");
   const auto& water = mesh_.lookupObject<volScalarField>(IOobject::groupName("alpha", water_));
@@ -134,8 +134,8 @@ void erodingBed::find_transport() {
   }
 }
 
-// A grain that crosses between two columns climbs or falls from one to the other: the slope between them decides, which
-// the mean slope at either does not know.
+// A grain that crosses between two columns climbs or falls from one to the other. The slope between them therefore
+// decides, not the mean slope at either.
 double erodingBed::bed_load_sent(int column, int axis, bool forward) const {
   const auto& stress = stress_[at(column)];
   const double along = (axis == 0 ? stress.along_x : stress.along_y) * (forward ? 1 : -1);
@@ -147,8 +147,8 @@ double erodingBed::bed_load_sent(int column, int axis, bool forward) const {
   return along * thalweg::foam::bed_load(grains_law_, stress, critical);
 }
 
-// Grains rise from each column into the lowest free cells above it, and settle from them. The water does not take more
-// than it would hold packed.
+// Grains rise from each column into the lowest free cells above it, and settle from them. A cell takes no more grains
+// than it holds when packed.
 void erodingBed::exchange_with_water() {
   const double dt = time_.deltaTValue();
   const auto& water = mesh_.lookupObject<volScalarField>(IOobject::groupName("alpha", water_));
@@ -188,7 +188,7 @@ void erodingBed::exchange_with_water() {
   for (std::size_t c = 0; c < deposit.size(); ++c) bed_.grains[c] += deposit[c] - lifted[c];
 }
 
-// Suspended grains in cells that the rising surface has covered belong to the bed; that raises it a little more.
+// Suspended grains in cells that the rising surface has covered go to the bed, which raises it a little more.
 void erodingBed::take_in_covered_grains() {
   std::vector<double> taken(bed_.grains.size(), 0.0);
   for (label cell = 0; cell < mesh_.nCells(); ++cell) {
@@ -210,7 +210,7 @@ void erodingBed::update_fields() {
     bed_share_[cell] = share;
     free_[cell] = above >= 0 ? 1 : 0;
     const bool lowest = above >= 0 && above < lowest_[at(column)] + 1e-6 * height;
-    // From nothing where the surface passes the centre to all of it where the cell is full.
+    // The drag grows from 0 where the surface passes the centre to its full value where the cell is full.
     drag_field_[cell] = drag_ * std::max(0.0, 2 * share - 1) + (lowest ? brake_[at(column)] / height : 0.0);
   }
   bed_share_.correctBoundaryConditions();

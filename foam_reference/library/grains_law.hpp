@@ -10,7 +10,7 @@
 #include "physics/transport/pick_up.hpp"
 #include "physics/transport/slope_factor.hpp"
 
-// What water does to the bed beneath it, by the laws of physics/: the eroding-bed model's closures in one place.
+// The closures of the eroding-bed model, composed from the laws of physics/: grains moved by the water over a bed.
 namespace thalweg::foam {
 
 /// Constants of grains and water, SI.
@@ -28,21 +28,23 @@ struct Grains {
   BedLoad bed_load = BedLoad::meyer_peter_mueller;
   PickUp pick_up = PickUp::mastbergen;
 
-  [[nodiscard]] double size_number() const {  // d* [-]
+  /// Dimensionless diameter d* [-].
+  [[nodiscard]] double size_number() const {
     return dimensionless_diameter(diameter, density, water_density, gravity, water_viscosity * water_density);
   }
-  [[nodiscard]] double settling(double share) const {  // [m/s]
+  /// Settling velocity [m/s] among grains of this volume share [-].
+  [[nodiscard]] double settling(double share) const {
     return hindered_settling_velocity(size_number(), share, diameter, water_viscosity);
   }
 };
 
-/// The water's hold on a place of the bed.
+/// Stress of the water on a place of the bed.
 struct BedStress {
   double friction_velocity = 0;  // u* [m/s]
   double shields = 0;            // [-]
   double flat_critical = 0;      // [-] Shields number at which a flat bed begins to move
-  double along_x = 0;            // direction of the flow over the ground
-  double along_y = 0;
+  double along_x = 0;            // [-] direction of the flow over the ground, a unit vector
+  double along_y = 0;            // [-]
 };
 
 /// Stress of water that moves with `speed` [m/s] along the bed, at `height` [m] above it, over the ground along the
@@ -61,8 +63,8 @@ inline BedStress bed_stress(const Grains& of, double speed, double height, doubl
   return found;
 }
 
-/// Shields number [-] at which the bed begins to move where its slopes are (slope_x, slope_y). Van Rijn's laws divide
-/// by it, and the slope can make it 0: a twentieth of the flat bed's is kept.
+/// Shields number [-] at which a bed of the slopes (slope_x, slope_y) [-] begins to move. Not below a twentieth of the
+/// flat bed's, since a steep slope makes it 0 and van Rijn's laws divide by it.
 inline double critical_on_slope(const Grains& of, const BedStress& stress, double slope_x, double slope_y) {
   const double length = std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
   const Vec<3, double> normal{{-slope_x / length, -slope_y / length, 1 / length}};
@@ -72,21 +74,32 @@ inline double critical_on_slope(const Grains& of, const BedStress& stress, doubl
   return stress.flat_critical * (factor > 0.05 ? factor : 0.05);
 }
 
-/// Volume of grains that roll along the flow [m^2/s] per metre of width.
+/// Bed load along the flow, volume of grains per second and metre of width [m^2/s]. critical: Shields number at which
+/// the bed begins to move here [-].
 inline double bed_load(const Grains& of, const BedStress& stress, double critical) {
   if (!(stress.shields > critical)) return 0;
-  return bed_load_scale(of.diameter, of.density, of.water_density, of.gravity) *
-         (of.bed_load == BedLoad::van_rijn ? van_rijn_bed_load(stress.shields, critical, of.size_number())
-                                           : meyer_peter_mueller(stress.shields, critical));
+  const double scale = bed_load_scale(of.diameter, of.density, of.water_density, of.gravity);
+  switch (of.bed_load) {
+    case BedLoad::van_rijn:
+      return scale * van_rijn_bed_load(stress.shields, critical, of.size_number());
+    case BedLoad::meyer_peter_mueller:
+      break;
+  }
+  return scale * meyer_peter_mueller(stress.shields, critical);
 }
 
-/// Volume of grains that rise from the bed [m/s] per area.
+/// Volume of grains that rise from the bed per second and area [m/s].
 inline double pick_up(const Grains& of, const BedStress& stress, double critical) {
   if (!(stress.shields > critical)) return 0;
-  return of.pick_up == PickUp::van_rijn ? van_rijn_pick_up(stress.shields, critical, of.size_number(), of.diameter,
-                                                           of.density, of.water_density, of.gravity)
-                                        : lift_velocity(stress.shields, critical, of.size_number(), of.diameter,
-                                                        of.density, of.water_density, of.gravity);
+  switch (of.pick_up) {
+    case PickUp::van_rijn:
+      return van_rijn_pick_up(stress.shields, critical, of.size_number(), of.diameter, of.density, of.water_density,
+                              of.gravity);
+    case PickUp::mastbergen:
+      break;
+  }
+  return lift_velocity(stress.shields, critical, of.size_number(), of.diameter, of.density, of.water_density,
+                       of.gravity);
 }
 
 }  // namespace thalweg::foam

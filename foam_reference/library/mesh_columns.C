@@ -23,7 +23,7 @@ void combine_over_ranks(std::vector<double>& values, const Combine& combine) {
   std::copy(list.begin(), list.end(), values.begin());
 }
 
-// Which of n equal intervals the value lies in; what a moved point puts just outside counts to the end.
+// Number of the interval, of `count` equal ones, in which the value lies. A value just outside counts to the last one.
 int interval(double value, double from, double size, int count) {
   return std::clamp(static_cast<int>(std::floor((value - from) / size)), 0, count - 1);
 }

@@ -15,7 +15,7 @@ Foam::tmp<surfaceScalarField> upwind_of(const volScalarField& values, const surf
   return Foam::upwind<Foam::scalar>(values.mesh(), flux).interpolate(values);
 }
 
-// Volume that leaves each cell in a step of dt.
+// Volume [m^3] that leaves each cell in a step of dt [s].
 Foam::scalarField leaving(const surfaceScalarField& flux, double dt) {
   const Foam::fvMesh& mesh = flux.mesh();
   Foam::scalarField out(mesh.nCells(), 0);
@@ -49,7 +49,7 @@ double carry_grains(volScalarField& grains, const volScalarField& alpha_water, c
   const surfaceScalarField downwards("downwards", mesh.Sf() & down);
   surfaceScalarField flux("grainFlux",
                           open * (water * upwind_of(in_water, water) + downwards * upwind_of(sinking, downwards)));
-  // Through the ends of the mesh grains leave with water; none sink through, none come in.
+  // At the ends of the mesh grains leave with the water; none sink through, and none come in.
   forAll(mesh.boundary(), patch) {
     if (mesh.boundary()[patch].coupled()) continue;
     flux.boundaryFieldRef()[patch] = Foam::max(water.boundaryField()[patch], Foam::scalar(0)) *

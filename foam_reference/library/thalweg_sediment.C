@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include <Enum.H>
 #include <addToRunTimeSelectionTable.H>
 #include <fvcGrad.H>
+#include "foam_reference/library/dictionary_choices.H"
 
 namespace Foam {
 namespace viscosityModels {
@@ -18,44 +18,46 @@ using thalweg::EffectivePressure;
 using thalweg::Rheology;
 using thalweg::YieldCriterion;
 using thalweg::YieldFit;
+using thalweg::foam::dictionary_choices;
 
-const Enum<EffectivePressure> closure_names({{EffectivePressure::column, "column"},
-                                             {EffectivePressure::laplace, "laplace"},
-                                             {EffectivePressure::eos, "eos"}});
-const Enum<YieldCriterion> criterion_names({{YieldCriterion::drucker_prager, "druckerPrager"},
-                                            {YieldCriterion::mohr_coulomb, "mohrCoulomb"}});
-const Enum<Rheology> rheology_names({{Rheology::herschel_bulkley, "herschelBulkley"}, {Rheology::mu_of_i, "muOfI"}});
-const Enum<YieldFit> fit_names({{YieldFit::sine, "sin"},
-                                {YieldFit::coulomb, "coulomb"},
-                                {YieldFit::outer, "outer"},
-                                {YieldFit::inner, "inner"},
-                                {YieldFit::plane_strain, "planeStrain"},
-                                {YieldFit::paper, "paper"}});
+const auto closures = dictionary_choices(EffectivePressure::column, EffectivePressure::laplace, EffectivePressure::eos);
+const auto criteria = dictionary_choices(YieldCriterion::drucker_prager, YieldCriterion::mohr_coulomb);
+const auto rheologies = dictionary_choices(Rheology::herschel_bulkley, Rheology::mu_of_i);
+const auto fits = dictionary_choices(YieldFit::sine, YieldFit::coulomb, YieldFit::outer, YieldFit::inner,
+                                     YieldFit::plane_strain, YieldFit::paper);
+
+thalweg::SedimentParameters parameters_of(const dictionary& of) {
+  const auto scalar_of = [&](const word& key) { return of.get<scalar>(key); };
+  thalweg::SedimentParameters s;
+  s.grain_density = scalar_of("grainDensity");
+  s.porosity = scalar_of("porosity");
+  s.grain_diameter = scalar_of("grainDiameter");
+  s.friction_angle = scalar_of("frictionAngle");
+  s.cohesion = scalar_of("cohesion");
+  s.pore_density = scalar_of("poreDensity");
+  s.consistency = scalar_of("consistency");
+  s.flow_index = scalar_of("flowIndex");
+  s.regularisation = scalar_of("regularisation");
+  s.dynamic_friction_angle = scalar_of("dynamicFrictionAngle");
+  s.inertial_number = scalar_of("inertialNumber");
+  return s;
+}
 
 }  // namespace
 
 thalwegSediment::Law thalwegSediment::law_of(const dictionary& of) {
-  const auto scalar_of = [&](const word& key) { return of.get<scalar>(key); };
-  const YieldFit fit = fit_names.get("yieldFit", of);
-  const double friction_angle = scalar_of("frictionAngle");
+  const thalweg::SedimentParameters parameters = parameters_of(of);
   Law law;
-  law.closure = closure_names.get("effectivePressure", of);
-  law.criterion = criterion_names.get("yieldCriterion", of);
-  law.rheology = rheology_names.get("rheology", of);
-  law.yield_coefficient = thalweg::yield_pressure_coefficient(friction_angle, fit);
-  law.cohesion_term = thalweg::yield_cohesion_term(scalar_of("cohesion"), friction_angle, fit);
-  law.dynamic_coefficient = thalweg::yield_pressure_coefficient(scalar_of("dynamicFrictionAngle"), fit);
-  law.consistency = scalar_of("consistency");
-  law.flow_index = scalar_of("flowIndex");
-  law.regularisation = scalar_of("regularisation");
-  law.density = scalar_of("density");
-  law.least_viscosity = scalar_of("leastViscosity");
-  law.inertia = {scalar_of("inertialNumber"), scalar_of("grainDiameter"), scalar_of("grainDensity")};
-  law.pressure.closure = law.closure;
-  law.pressure.pore_density = scalar_of("poreDensity");
+  law.material = thalweg::make_material<double>(
+      parameters, {criteria.get("yieldCriterion", of), fits.get("yieldFit", of), rheologies.get("rheology", of)});
+  law.density = of.get<scalar>("density");
+  law.least_viscosity = of.get<scalar>("leastViscosity");
+  law.pressure.closure = closures.get("effectivePressure", of);
+  law.pressure.pore_density = parameters.pore_density;
   law.pressure.bed_density = law.density;
-  law.pressure.submerged_weight = (law.density - law.pressure.pore_density) * scalar_of("gravity");
-  law.pressure.friction_tangent = std::tan(friction_angle);
+  law.pressure.submerged_weight =
+      thalweg::submerged_weight(law.density, parameters.pore_density, double(of.get<scalar>("gravity")));
+  law.pressure.friction_tangent = law.material.friction_tangent;
   return law;
 }
 
@@ -69,30 +71,13 @@ thalwegSediment::thalwegSediment(const word& name, const dictionary& properties,
   correct();
 }
 
-// What the particle model does in solver/models/bed/sediment_law.hpp, with the same laws.
 double thalwegSediment::viscosity(const symmTensor& strain_rate, double effective_pressure) const {
   const double half_square = 0.5 * magSqr(strain_rate);  // D:D/2 [1/s^2]
-  const double gdot = 2 * std::sqrt(half_square);        // sqrt(2 D:D) [1/s]
-  double lode = 1;
-  if (law_.criterion == YieldCriterion::mohr_coulomb) {
-    const double sine = thalweg::sine_of_three_lode_angles(double(det(strain_rate)), half_square);
-    lode = thalweg::mohr_coulomb_factor(sine, law_.yield_coefficient);
-  }
-  const double yield_stress = lode * (law_.yield_coefficient * effective_pressure + law_.cohesion_term);
-  double eta = 0;
-  if (law_.rheology == Rheology::herschel_bulkley) {
-    eta =
-        thalweg::herschel_bulkley_viscosity(gdot, yield_stress, law_.regularisation, law_.consistency, law_.flow_index);
-  } else {
-    double growth = law_.dynamic_coefficient - law_.yield_coefficient;
-    if (law_.criterion == YieldCriterion::mohr_coulomb) {
-      const double sine = thalweg::sine_of_three_lode_angles(double(det(strain_rate)), half_square);
-      growth = law_.dynamic_coefficient * thalweg::mohr_coulomb_factor(sine, law_.dynamic_coefficient) -
-               law_.yield_coefficient * lode;
-    }
-    eta = thalweg::mu_of_i_viscosity(gdot, yield_stress, effective_pressure, growth, law_.regularisation,
-                                     law_.consistency, law_.inertia);
-  }
+  const double shear_rate = 2 * std::sqrt(half_square);  // sqrt(2 D:D) [1/s]
+  const double lode_sine = thalweg::sine_of_three_lode_angles(double(det(strain_rate)), half_square);
+  const double yield_stress = thalweg::yield_stress_of(law_.material, effective_pressure, lode_sine);
+  const double eta =
+      thalweg::apparent_viscosity_of(law_.material, shear_rate, yield_stress, effective_pressure, lode_sine);
   return (eta > law_.least_viscosity ? eta : law_.least_viscosity) / law_.density;
 }
 

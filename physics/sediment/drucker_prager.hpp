@@ -4,20 +4,26 @@
 
 #include "physics/host_device.hpp"
 
+// The Drucker-Prager criterion: sediment does not flow while
+//   sqrt(J2) <= K p_eff + c_0
+// J2 second invariant of the deviatoric stress [Pa^2], p_eff effective pressure [Pa], >= 0 in compression. This cone in
+// the space of principal stresses meets Mohr-Coulomb's hexagonal pyramid along one edge or in one state only; the yield
+// fit says which. K and c_0 follow from putting that edge's Lode angle, or plane strain, into Mohr-Coulomb's criterion
+// (mohr_coulomb.hpp).
 namespace thalweg {
 
-/// How a friction angle becomes the coefficient K of sqrt(J2) <= K p_eff + c_0, p_eff >= 0 in compression.
+/// The way from a friction angle and a cohesion to K and c_0.
 enum class YieldFit { sine, coulomb, outer, inner, plane_strain, paper };
 
-/// K [-] of the Drucker-Prager criterion for friction angle phi [rad], 0 <= phi < pi/2.
-///   outer, inner   6 sin(phi) / (sqrt3 (3 -+ sin(phi)))   the cones around and inside Mohr-Coulomb's hexagon
-///   plane_strain   3 tan(phi) / sqrt(9 + 12 tan^2(phi))   plane strain with dilation = friction
-///   sine           sin(phi)                               plane strain without dilation; the default for a flume
-///   coulomb        tan(phi)                               slip along the shear plane: a slope stands up to phi itself
-///   paper          2 sin(phi) / (sqrt3 (3 - sin(phi)))    the paper's (10), which is the coefficient of I1 = 3p, used
-///   on p
-/// A long slope stands up to the angle whose tangent is K: atan(sin(phi)) with `sine`, 31.6 deg for phi = 38 deg.
-/// phi = 38 deg: 0.616, 0.781 (coulomb), 0.894, 0.590, 0.580 (plane_strain), 0.298 (paper).
+/// K [-] for the friction angle phi [rad], 0 <= phi < pi/2. The last column: phi = 38 deg.
+///   sine           sin(phi)                               0.616   plane strain without dilation; the default
+///   coulomb        tan(phi)                               0.781   slip along the shear plane
+///   outer          6 sin(phi) / (sqrt3 (3 - sin(phi)))    0.894   the cone around Mohr-Coulomb's hexagon
+///   inner          6 sin(phi) / (sqrt3 (3 + sin(phi)))    0.590   the cone through the hexagon's inner corners
+///   plane_strain   3 tan(phi) / sqrt(9 + 12 tan^2(phi))   0.580   plane strain with dilation = friction
+///   paper          2 sin(phi) / (sqrt3 (3 - sin(phi)))    0.298   the paper's (10): made for I1 = 3p, used on p
+/// A long slope stands up to the angle whose tangent is K: phi itself with `coulomb`, atan(sin(phi)) with `sine`,
+/// which is 31.6 deg for phi = 38 deg.
 template <class Real>
 HOST_DEVICE inline Real yield_pressure_coefficient(Real phi, YieldFit fit) {
   using std::sin;
@@ -44,9 +50,12 @@ HOST_DEVICE inline Real yield_pressure_coefficient(Real phi, YieldFit fit) {
   return s;
 }
 
-/// Yield stress without pressure [Pa] for cohesion c [Pa], matched to the same edge as the coefficient:
-///   outer, inner, paper   6 c cos(phi) / (sqrt3 (3 -+ sin(phi)))   (misprinted "6 c sin" in the paper)
-///   plane_strain          3 c / sqrt(9 + 12 tan^2(phi));   sine   c cos(phi);   coulomb   c
+/// Yield stress without pressure c_0 [Pa] for the cohesion c [Pa], matched to the same edge as K:
+///   sine           c cos(phi)
+///   coulomb        c
+///   outer, paper   6 c cos(phi) / (sqrt3 (3 - sin(phi)))   misprinted "6 c sin" in the paper
+///   inner          6 c cos(phi) / (sqrt3 (3 + sin(phi)))
+///   plane_strain   3 c / sqrt(9 + 12 tan^2(phi))
 template <class Real>
 HOST_DEVICE inline Real yield_cohesion_term(Real cohesion, Real phi, YieldFit fit) {
   using std::cos;

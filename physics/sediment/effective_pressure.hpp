@@ -14,8 +14,8 @@ namespace thalweg {
 ///   eos       a share of the pressure from the equation of state; for comparison only
 enum class EffectivePressure { column, laplace, eos };
 
-/// Weight of the bed under water per volume (rho_bed - rho_pore) g [N/m^3]. Densities of the bed as a whole and of what
-/// fills its pores [kg/m^3], gravity g [m/s^2]. 1540 kg/m^3 in water: 5297 N/m^3.
+/// Weight of the bed under water per volume (rho_bed - rho_pore) g [N/m^3]. Densities of the bed as a whole and of the
+/// fluid in its pores [kg/m^3], gravity g [m/s^2]. 1540 kg/m^3 in water: 5297 N/m^3.
 template <class Real>
 HOST_DEVICE inline Real submerged_weight(Real bed_density, Real pore_density, Real gravity) {
   return (bed_density - pore_density) * gravity;

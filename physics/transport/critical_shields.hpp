@@ -10,8 +10,8 @@ namespace thalweg {
 ///   0.010595 ln R* + 0.110476/R* + 0.0027197   1 < R* <= 500
 ///   0.068                                      R* > 500
 ///   0.1                                        R* <= 1, where the fit grows without bound
-/// A fit of Shields' curve; the same constants and the same bound below in SPHERA (Shields.f90). The pieces do not
-/// meet: 0.1132 at R* = 1+ and 0.0688 at 500-. Smallest, 0.03815, at R* = 10.4; 0.0526 at 100.
+/// A fit of Shields' curve, with the constants and the lower bound of SPHERA (Shields.f90). The pieces do not meet: the
+/// fit gives 0.1132 at R* = 1 and 0.0688 at R* = 500. It is smallest at R* = 10.4, 0.03815; at R* = 100 it is 0.0526.
 template <class Real>
 HOST_DEVICE inline Real critical_shields_number(Real grain_reynolds) {
   using std::log;

@@ -4,8 +4,8 @@
 
 #include "physics/host_device.hpp"
 
-// Grains leaving a bed and falling back, the paper's (23). Densities [kg/m^3] of grain and water, gravity [m/s^2],
-// grain diameter d [m], viscosities of the water: mu dynamic [Pa s], nu kinematic [m^2/s].
+// Grains that leave a bed and fall back, the paper's (23). Symbols: densities of grain rho_s and water rho_w [kg/m^3];
+// gravity g [m/s^2]; grain diameter d [m]; dynamic viscosity mu [Pa s] and kinematic viscosity nu [m^2/s] of the water.
 namespace thalweg {
 
 /// Dimensionless grain diameter d* = d [rho_w (rho_s - rho_w) g/mu^2]^(1/3) [-].
@@ -21,8 +21,8 @@ HOST_DEVICE inline Real dimensionless_diameter(Real diameter, Real grain_density
 /// Velocity with which grains are lifted off a bed along its normal [m/s], Mastbergen & van den Berg 2003
 /// (Sedimentology 50, 625-637):
 ///   alpha d*^0.3 (theta - theta_cr)^1.5 sqrt(g d (rho_s - rho_w)/rho_w),   0 for theta <= theta_cr
-/// alpha = 0.018 is FLOW-3D's default. PVC of 3.5 mm: 0.00841 (theta - theta_cr)^1.5 m/s, forty times below its
-/// settling velocity at theta = 0.6.
+/// Shields numbers theta and theta_cr [-]; entrainment alpha [-], 0.018 is FLOW-3D's default.
+/// PVC of 3.5 mm: 0.00841 (theta - theta_cr)^1.5 m/s, forty times below its settling velocity at theta = 0.6.
 template <class Real>
 HOST_DEVICE inline Real lift_velocity(Real shields, Real critical_shields, Real dimensionless_diameter, Real diameter,
                                       Real grain_density, Real water_density, Real gravity,
@@ -37,8 +37,8 @@ HOST_DEVICE inline Real lift_velocity(Real shields, Real critical_shields, Real 
 
 /// Settling velocity of a single grain in still water [m/s], Soulsby 1997 (Dynamics of Marine Sands):
 ///   (nu/d) { [10.36^2 + 1.049 d*^3]^(1/2) - 10.36 }
-/// for natural sands, all sizes. Coded as the difference's conjugate, which keeps the digits of a small d*; there it is
-/// Stokes-like, nu d*^3/(19.75 d). PVC of 3.5 mm: 0.1365 m/s.
+/// Limits: natural sands of all sizes; nu d*^3/(19.75 d), as by Stokes, for small d*. The difference is coded by its
+/// conjugate, which keeps the digits of a small d*. PVC of 3.5 mm: 0.1365 m/s.
 template <class Real>
 HOST_DEVICE inline Real settling_velocity(Real dimensionless_diameter, Real diameter, Real kinematic_viscosity) {
   using std::sqrt;
@@ -47,8 +47,8 @@ HOST_DEVICE inline Real settling_velocity(Real dimensionless_diameter, Real diam
   return kinematic_viscosity / diameter * b / (sqrt(a * a + b) + a);
 }
 
-/// Settling velocity of grains among others [m/s], Soulsby 1997: d*^3 in the above becomes (1 - C)^4.7 d*^3. C volume
-/// share of the grains [-], taken within [0, 1]. PVC of 3.5 mm at C = 0.1: 0.10595 m/s.
+/// Settling velocity of grains among others [m/s], Soulsby 1997: d*^3 in settling_velocity() becomes (1 - C)^4.7 d*^3.
+/// C volume share of the grains [-], taken within [0, 1]. PVC of 3.5 mm at C = 0.1: 0.10595 m/s.
 template <class Real>
 HOST_DEVICE inline Real hindered_settling_velocity(Real dimensionless_diameter, Real volume_share, Real diameter,
                                                    Real kinematic_viscosity) {

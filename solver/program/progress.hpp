@@ -1,27 +1,26 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
+
+#include "common/progress.hpp"
 
 namespace thalweg {
 
-/// The line that tells how far a run is: on a terminal one line that is rewritten, elsewhere a line now and then.
+/// Shows how far a run is.
 class Progress {
  public:
-  Progress(double end, double start);
+  /// End and start of the run [s].
+  Progress(double end, double start) : end_(end), start_(start) {}
 
+  /// Simulated time [s]; step number; its length [s] and what limits it; steps times particles since the start.
   void show(double time, std::int64_t step, double dt, const char* limiter, double particle_steps);
-  /// Ends the line on a terminal, so that what follows starts on its own.
-  void clear();
+  /// Ends the line, so that the text after it begins on a line of its own.
+  void clear() { line_.finish(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
   double end_;
   double start_;
-  bool terminal_;
-  bool shown_ = false;
-  Clock::time_point begun_ = Clock::now();
-  Clock::time_point last_ = Clock::now();
+  ProgressLine line_{{.width = 110}};
 };
 
 }  // namespace thalweg

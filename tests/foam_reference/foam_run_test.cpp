@@ -1,4 +1,4 @@
-// Failures of a run, brought about by programs that stand in for OpenFOAM's and write what those write.
+// Failures of a run, with programs in the place of OpenFOAM's that write the same texts.
 #include "foam_reference/foam_run.hpp"
 
 #include <gmock/gmock.h>

@@ -20,11 +20,9 @@ Start slumping_tank() {
   setup.gravity = {0, -9.81F};
   Start s{test::make_scene_of(setup), {}};
   s.scene.has_sediment = true;
-  s.scene.sediment = {.yield_coefficient = 0.6F,
-                      .friction_tangent = 0.78F,
-                      .regularisation = 100,
-                      .consistency = 1e-3F,
-                      .submerged_weight = 300 * 9.81F};
+  s.scene.sediment = {
+      {.yield_coefficient = 0.6F, .friction_tangent = 0.78F, .regularisation = 100, .consistency = 1e-3F}};
+  s.scene.sediment.submerged_weight = 300 * 9.81F;
   s.particles = test::fill_lattice(s.scene, [](const Vec3& x) {
     if (x.z() < 0.03 || x.x() < 0.03 || x.x() > 0.17) return ParticleType::wall;
     if (x.x() < 0.09 && x.z() < 0.1) return ParticleType::sediment;

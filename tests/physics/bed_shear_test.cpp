@@ -64,7 +64,7 @@ TEST(FrictionVelocity, IsTheSublayersBelowAndTheLogLawsAbove) {
 }
 
 TEST(FrictionVelocity, KeepsItsEquationInEveryRegime) {
-  // What it returns satisfies its branch to the tolerance of the iteration, or to the step of z0 at ks+ = 70.
+  // The result satisfies its branch to the tolerance of the iteration, or to the step of z0 at ks+ = 70.
   for (double speed = 1e-4; speed < 30; speed *= 1.7) {
     for (double z = 1e-5; z < 0.5; z *= 1.9) {
       for (const double roughness : {0.0, 1e-5, 2e-4, 0.0035, 0.05}) {

@@ -10,6 +10,7 @@ namespace thalweg {
 namespace {
 
 TEST(EffectivePressure, OfAColumnIsItsWeightUnderWater) {
+  EXPECT_NEAR(submerged_weight(1540.0, 1000.0, 9.81), 5297.4, 1e-9);
   EXPECT_NEAR(effective_pressure_of_column(540 * 9.81, 0.06), 317.8, 0.05);
   EXPECT_EQ(effective_pressure_of_column(540 * 9.81, 0.0), 0);
   const double slope = 0.3;

@@ -5,6 +5,7 @@
 #include "physics/kernel.hpp"
 #include "physics/seepage/consolidation.hpp"
 #include "physics/seepage/ergun.hpp"
+#include "physics/seepage/skeleton.hpp"
 
 namespace thalweg {
 namespace {
@@ -66,6 +67,13 @@ TEST(Consolidation, TakesAsManyStagesAsTheStepNeeds) {
   EXPECT_EQ(legendre_stages(3), 2);
   EXPECT_EQ(legendre_stages(3.1), 3);
   EXPECT_EQ(legendre_stages(430), 29);  // 29 * 30 / 2 = 435
+}
+
+TEST(Skeleton, IsCompressedByItsOwnWeightAsWaterIs) {
+  const double stiffness = skeleton_stiffness(0.55, 1540.0, rho, 20.0);
+  EXPECT_NEAR(stiffness, 118800, 1e-6);  // 0.55 * 540 * 400
+  const double weight = 0.55 * 540 * g;  // [N/m^3] of the grains under water
+  EXPECT_NEAR(weight / stiffness, g / 400, 1e-15);
 }
 
 /// Share of the kernel more than x above a particle, by midpoints on a grid of h/200.

@@ -47,9 +47,10 @@ TEST(DruckerPrager, HasTheHandWorkedCoefficients) {
 }
 
 TEST(DruckerPrager, AgreesWithMohrCoulombOnItsOwnEdges) {
-  // On the compression meridian (Lode angle of triaxial compression) Mohr-Coulomb reads q = M p + ..., M = 6 sin/(3 -
-  // sin), sqrt(J2) = q/sqrt3; on the extension meridian M = 6 sin/(3 + sin). Same for the cohesion term, 6 c cos/(3 -+
-  // sin).
+  // Mohr-Coulomb reads q = M p + ..., sqrt(J2) = q/sqrt3, with
+  //   M = 6 sin/(3 - sin)   on the compression meridian (Lode angle of triaxial compression)
+  //   M = 6 sin/(3 + sin)   on the extension meridian
+  // and likewise for the cohesion term, 6 c cos/(3 -+ sin).
   for (const double phi : {5 * degree, 20 * degree, 35 * degree}) {
     const double s = std::sin(phi);
     const double c = 7;

@@ -1,0 +1,246 @@
+#include "common/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+#include <utility>
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The words of a command as the system wants them; they live as long as the command.
+std::vector<char*> argument_list(const std::vector<std::string>& command) {
+  std::vector<char*> list;
+  for (const std::string& word : command) list.push_back(const_cast<char*>(word.c_str()));
+  list.push_back(nullptr);
+  return list;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// An open file or an end of a pipe. Children inherit it by dup2 only.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+
+  [[nodiscard]] bool is_open() const { return number_ >= 0; }
+  [[nodiscard]] int number() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+Descriptor open_log(const fs::path& log) {
+  Descriptor file(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.is_open()) return file;
+  throw RunError(
+      fmt::format("{}: cannot be written: {}; check the folder's permissions", log.string(), std::strerror(errno)));
+}
+
+/// The two ends of a pipe, to read from and to write to.
+std::array<Descriptor, 2> make_pipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    throw RunError(fmt::format("a pipe cannot be opened: {}; close other programs", std::strerror(errno)));
+  }
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// posix_spawn's lists of actions of a child before it becomes the program.
+struct SpawnSettings {
+  posix_spawn_file_actions_t files{};
+  posix_spawnattr_t attributes{};
+  SpawnSettings() {
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&attributes);
+  }
+  ~SpawnSettings() {
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+};
+
+volatile std::sig_atomic_t foreground_child = 0;
+volatile std::sig_atomic_t remembered_signal = 0;
+
+extern "C" void leave_to_child(int) {}
+extern "C" void remember(int signal) { remembered_signal = signal; }
+extern "C" void pass_on(int signal) {
+  if (foreground_child > 0) {
+    kill(static_cast<pid_t>(foreground_child), signal);
+  } else {
+    remember(signal);
+  }
+}
+
+/// Handles a signal in this way while it lives. A child starts with the system's own handling, since a handler does not
+/// outlive exec.
+class Handler {
+ public:
+  Handler(int signal, void (*handle)(int)) : signal_(signal) {
+    struct sigaction action {};
+    action.sa_handler = handle;
+    sigaction(signal_, &action, &before_);
+  }
+  ~Handler() { sigaction(signal_, &before_, nullptr); }
+  Handler(const Handler&) = delete;
+  Handler& operator=(const Handler&) = delete;
+
+ private:
+  int signal_;
+  struct sigaction before_ {};
+};
+
+}  // namespace
+
+StartError::StartError(const std::string& program, int cause)
+    : RunError(fmt::format("{}: cannot be started: {}; install or build it again", program, std::strerror(cause))),
+      not_found_(cause == ENOENT) {}
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildSetup& setup)
+    : own_group_(setup.own_group) {
+  SpawnSettings settings;
+  Descriptor log;
+  std::array<Descriptor, 2> pipe;
+  if (!setup.folder.empty()) posix_spawn_file_actions_addchdir_np(&settings.files, setup.folder.c_str());
+  if (!setup.log.empty()) {
+    log = open_log(setup.log);
+    posix_spawn_file_actions_addopen(&settings.files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&settings.files, log.number(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&settings.files, log.number(), STDERR_FILENO);
+  }
+  if (setup.piped >= 0) {
+    pipe = make_pipe();
+    posix_spawn_file_actions_adddup2(&settings.files, pipe[1].number(), setup.piped);
+  }
+  if (own_group_) {
+    posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&settings.attributes, 0);
+  }
+  const int failure = posix_spawnp(&process_, command.front().c_str(), &settings.files, &settings.attributes,
+                                   argument_list(command).data(), environ);
+  if (failure != 0) throw StartError(command.front(), failure);
+  pipe_ = pipe[0].release();
+}
+
+ChildProcess::~ChildProcess() {
+  end();
+  if (pipe_ >= 0) close(pipe_);
+}
+
+bool ChildProcess::running() {
+  if (process_ > 0) collect(WNOHANG);
+  return process_ > 0;
+}
+
+int ChildProcess::wait() {
+  if (process_ > 0) collect(0);
+  return status_;
+}
+
+void ChildProcess::end() {
+  if (process_ <= 0) return;
+  kill(own_group_ ? -process_ : process_, SIGTERM);
+  collect(0);
+}
+
+std::optional<std::string> ChildProcess::read_line(std::chrono::milliseconds patience) {
+  pollfd waiting{pipe_, POLLIN, 0};
+  while (read_.find('\n') == std::string::npos) {
+    const int ready = poll(&waiting, 1, static_cast<int>(patience.count()));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return std::nullopt;
+    std::array<char, 4096> part{};
+    const ssize_t count = read(pipe_, part.data(), part.size());
+    if (count <= 0) return std::nullopt;
+    read_.append(part.data(), static_cast<std::size_t>(count));
+  }
+  const std::size_t end = read_.find('\n');
+  std::string line = read_.substr(0, end);
+  read_.erase(0, end + 1);
+  return line;
+}
+
+void ChildProcess::collect(int options) {
+  int status = 0;
+  rusage usage{};
+  pid_t ended = 0;
+  do {
+    ended = wait4(process_, &status, options, &usage);
+  } while (ended < 0 && errno == EINTR);
+  if (ended == 0) return;  // it still runs
+  process_ = -1;
+  if (ended < 0) {  // reaped by someone else: its status is lost and counts as a failure
+    status_ = 1;
+    return;
+  }
+  status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  cpu_seconds_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+int run_in_foreground(const std::vector<std::string>& command) {
+  remembered_signal = 0;
+  const Handler interrupt(SIGINT, leave_to_child);
+  const Handler terminate(SIGTERM, pass_on);
+  ChildProcess child(command);
+  foreground_child = child.id();
+  if (remembered_signal != 0) kill(child.id(), remembered_signal);  // it came while the child was being started
+  const int status = child.wait();
+  foreground_child = 0;
+  return status;
+}
+
+void become(const std::vector<std::string>& command) {
+  execvp(command.front().c_str(), argument_list(command).data());
+  throw StartError(command.front(), errno);
+}
+
+bool on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+SignalWatch::SignalWatch() {
+  remembered_signal = 0;
+  std::signal(SIGINT, remember);
+  std::signal(SIGTERM, remember);
+}
+
+SignalWatch::~SignalWatch() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+int SignalWatch::received() { return remembered_signal; }
+
+}  // namespace thalweg
