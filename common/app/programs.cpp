@@ -13,7 +13,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "case/reader/keys.hpp"
+#include "case/nearest.hpp"
 #include "common/error.hpp"
 
 namespace thalweg {
