@@ -23,8 +23,8 @@
 
 namespace thalweg {
 
-/// A whole case, checked: every value in range, every name known, every unit right. Its members are the tables of a case file
-/// (case/tables/table.hpp says what a table is), and where they come from.
+/// A whole case, checked: every value in range, every name known, every unit right. Its members are the tables of a
+/// case file (case/tables/table.hpp says what a table is), and where they come from.
 struct Case {
   std::filesystem::path folder;  // of the case file, for what it refers to
   std::filesystem::path file;

@@ -7,7 +7,8 @@
 
 namespace thalweg {
 
-/// The words of model.implementation: two readings of the source paper (physics/sediment/sediment_parameters.hpp names it).
+/// The words of model.implementation: two readings of the source paper (physics/sediment/sediment_parameters.hpp names
+/// it).
 enum class Implementation { consistent, paper };
 
 inline constexpr std::array<Choice<Implementation>, 2> choices(Implementation) {

@@ -20,7 +20,8 @@ fs::path find_case_file(const fs::path& given) {
               "name a folder with case.toml, or the file");
 }
 
-// The content of files that the case names. A run's folder may be looked at where they are not: it carries their hashes along.
+// The content of files that the case names. A run's folder may be looked at where they are not: it carries their hashes
+// along.
 void hash_files(const toml::table& root, Case& of) {
   if (const toml::table* known = root[resolved_table]["files"].as_table()) {
     for (const auto& [name, hash] : *known) of.file_hashes[std::string(name.str())] = hash.value_or("");

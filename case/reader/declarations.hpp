@@ -50,8 +50,8 @@ using Declarations = std::vector<TableDeclaration>;
 /// Every table and key of a case file (struct Case).
 const Declarations& case_declarations();
 
-/// The table of a name or path: "numerics", "shape", "materials.<sediment>", "materials.pvc" (a table by name, unless a single
-/// table has that name). Null when there is none.
+/// The table of a name or path: "numerics", "shape", "materials.<sediment>", "materials.pvc" (a table by name, unless a
+/// single table has that name). Null when there is none.
 const TableDeclaration* find_table(const Declarations& tables, std::string_view name);
 
 /// The groups of the tables by name: "materials".

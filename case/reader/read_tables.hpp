@@ -19,8 +19,8 @@ namespace thalweg {
 /// All texts of the single tables of a case file.
 GivenWords given_words(const toml::table& root, const std::filesystem::path& folder, const CaseOrigins& origins);
 
-/// Fills the tables of C, a struct like Case (case/tables/table_list.hpp) that also offers `int dimension() const`, valid as soon
-/// as the tables before the first point have been read.
+/// Fills the tables of C, a struct like Case (case/tables/table_list.hpp) that also offers `int dimension() const`,
+/// valid as soon as the tables before the first point have been read.
 template <class C>
 class TablesReader {
  public:
@@ -113,9 +113,9 @@ class TablesReader {
   C& into_;
 };
 
-/// Fills the tables of `into` from `root` and checks them: names first, then every value for itself, then what contradicts each
-/// other. `folder` is the one of the case; the places of keys go to `origins`, whose `file` and `resolved` the caller sets.
-/// Throws InputError "where: what is wrong; what to do".
+/// Fills the tables of `into` from `root` and checks them: names first, then every value for itself, then what
+/// contradicts each other. `folder` is the one of the case; the places of keys go to `origins`, whose `file` and
+/// `resolved` the caller sets. Throws InputError "where: what is wrong; what to do".
 template <class C>
 void read_tables(const toml::table& root, const Declarations& tables, const std::filesystem::path& folder,
                  CaseOrigins& origins, C& into) {

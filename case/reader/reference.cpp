@@ -77,7 +77,7 @@ void write_table_reference(std::ostream& markdown, const TableDeclaration& table
   }
 }
 
-// How an override names a key of a table that may occur several times: "`gauge.NAME.key`, …".
+// The form of an override for a key of a table that may occur several times: "`gauge.NAME.key`, …".
 std::string overrides_with_names(const Declarations& tables) {
   std::vector<std::string> names;
   for (const TableDeclaration& table : tables) {

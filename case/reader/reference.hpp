@@ -5,7 +5,7 @@
 
 #include "case/reader/declarations.hpp"
 
-// What a user reads of the declarations: in the terminal, as a page, and as a schema for editors. case_file.hpp has the same
+// The declarations for the user: in the terminal, as a page, and as a schema for editors. case_file.hpp has the same
 // functions for the tables of Case.
 namespace thalweg {
 

@@ -18,8 +18,8 @@
 
 namespace thalweg {
 
-/// Visits the struct of a table and fills it from the file. case/tables/table.hpp describes the methods; each throws InputError
-/// "where: what is wrong; what to do".
+/// Visits the struct of a table and fills it from the file. case/tables/table.hpp describes the methods; each throws
+/// InputError "where: what is wrong; what to do".
 class TableReader {
  public:
   TableReader(const toml::table* table, std::string path, int dimension, CaseOrigins& origins)

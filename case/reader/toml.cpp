@@ -70,7 +70,7 @@ toml::table& group_to_override(toml::table& root, const std::string& group, cons
               fmt::format("the {} are {}", group, fmt::join(names, ", ")));
 }
 
-// What may stand as TABLE in an override TABLE.NAME.key=value.
+// The words that may stand for TABLE in an override TABLE.NAME.key=value.
 std::vector<std::string> names_with_entries(const Declarations& tables) {
   std::vector<std::string> names;
   for (const TableDeclaration& table : tables) {

@@ -19,8 +19,8 @@ std::string where_is(const toml::node& node, const std::string& file);
 /// Reads TOML. Throws InputError with file and line.
 toml::table parse_case_toml(const std::filesystem::path& file);
 
-/// Puts the value of "table.key=value" into `root`; its nodes remember that they come from an override. Throws InputError when
-/// the text is no override, or names an entry of a repeated table or a table by name that is absent.
+/// Puts the value of "table.key=value" into `root`; its nodes remember that they come from an override. Throws
+/// InputError when the text is no override, or names an entry of a repeated table or a table by name that is absent.
 void apply_override(toml::table& root, const std::string& text, const Declarations& tables);
 
 /// The name of one of several tables, such as [[gauge]]; empty when it has none or no text.

@@ -81,8 +81,8 @@ class TableWriter {
   UsesKey uses_;
 };
 
-/// Writes all tables of `values`, a struct like Case (case/tables/table_list.hpp), with every key that means something; read_case
-/// reads them.
+/// Writes all tables of `values`, a struct like Case (case/tables/table_list.hpp), with every key that means something;
+/// read_case reads them.
 template <class C>
 void write_tables(std::ostream& to, C values) {  // a copy, because describe() hands out references
   const int dimension = values.dimension();

@@ -30,7 +30,8 @@ struct Model {
   SeepageModel seepage = SeepageModel::off;
   PorePressureModel pore_pressure = PorePressureModel::off;
 
-  /// How the friction angle becomes the coefficient of the yield stress in plane strain: Mohr-Coulomb has one answer.
+  /// The formula that turns the friction angle into the yield stress's coefficient in plane strain. With Mohr-Coulomb
+  /// there is only one.
   [[nodiscard]] YieldFit plane_strain_fit() const;
 
   template <class V>

@@ -81,7 +81,8 @@ struct Motion {
   [[nodiscard]] bool uses_key(std::string_view key, int dimension) const;
   [[nodiscard]] std::vector<std::string> needs_keys(int dimension) const;
   void check(const Case& whole, const CheckContext& at) const;
-  /// The rows of a motion's file become its own, so that the resolved case holds them. Throws InputError for a bad table.
+  /// The rows of a motion's file become its own, so that the resolved case holds them. Throws InputError for a bad
+  /// table.
   void read_files(const std::filesystem::path& folder);
   static Motion without_defaults();
 };

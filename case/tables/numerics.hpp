@@ -17,7 +17,7 @@ inline constexpr std::array<Choice<Precision>, 2> choices(Precision) {
             "64 bits, on CPU cores only: to see what single precision costs in accuracy and gains in time"}}};
 }
 
-/// How exact a run is to be where the case does not say it key by key; numerics_at() says what follows.
+/// A level of accuracy. It sets the defaults of other keys of the table: numerics_at().
 enum class Accuracy { draft, standard, fine };
 
 inline constexpr std::array<Choice<Accuracy>, 3> choices(Accuracy) {

@@ -21,7 +21,7 @@ bool is_wall(ShapeRole role) {
   return false;
 }
 
-/// What kinds of shape have in common beside the geometry of each.
+/// Properties that several kinds of shape share.
 struct KindTraits {
   bool from_file = false;
   bool combined = false;

@@ -6,36 +6,46 @@
 
 /// The language in which the tables of a case file are declared.
 ///
-/// A table is a struct in case/tables/. Its file holds all there is to say about it; case/case.hpp lists it once. The struct has
-///   static constexpr TableHeading heading          its name, and its sentence in the reference
-///   template <class V> void describe(V& v)         its keys, each declared once; a member's initial value is the default
-///                                                  (`required` where there is none)
-/// and of the following what it needs:
-///   bool uses_key(std::string_view key, int dimension) const       false for a key that means nothing in this entry: it is
-///                                                                  refused (check_keys) and not written
-///   std::vector<std::string> needs_keys(int dimension) const       the keys without which this entry is not defined
-///   void set_defaults(const GivenWords& given)                     before it is read: defaults that follow from words
-///   void complete(const Case& whole)                               once all tables are read: values that follow from others
-///   void check(const Case& whole, const CheckContext& at) const    throws InputError where values contradict each other
-///   static void check_all(const Case& whole, const CheckContext&)  the same for all entries together, even if there are none
-///   void read_files(const std::filesystem::path& folder)           takes over what stands in files
-///   std::vector<std::string> hashed_files() const                  files whose content belongs to the case's hash
-///   static T without_defaults()                                    an entry for the reference in which keys are `required` that
-///                                                                  some kinds of entry need
-///   static void explain_further(std::ostream& to, std::string_view key)  what `thalweg explain` adds to its keys
+/// A table is a struct in case/tables/, and its file holds all that there is to say about it. The list in case/case.hpp
+/// names it once. The struct has
+///   static constexpr TableHeading heading       its name and its sentence in the reference
+///   template <class V> void describe(V& v)      its keys, each declared once; a member's initial value is the default,
+///                                               `required` where there is none
+/// and, as far as it needs them, the following. Each is found by its name.
+///   bool uses_key(std::string_view key, int dimension) const
+///       False for a key that means nothing in this entry. check_keys() refuses it, the writer leaves it out.
+///   std::vector<std::string> needs_keys(int dimension) const
+///       The keys without which this entry is not defined, for check_keys().
+///   void set_defaults(const GivenWords& given)
+///       Before the table is read: defaults that follow from words elsewhere in the file.
+///   void complete(const Case& whole)
+///       When all tables have been read: values that follow from other tables.
+///   void check(const Case& whole, const CheckContext& at) const
+///       Throws InputError where values contradict each other or another table.
+///   static void check_all(const Case& whole, const CheckContext& at)
+///       The same for all entries of a repeated table together, also if there are none.
+///   void read_files(const std::filesystem::path& folder)
+///       After the checks: takes over the content of files. Relative names are relative to `folder`.
+///   std::vector<std::string> hashed_files() const
+///       Names of files whose content belongs to the case's hash.
+///   static T without_defaults()
+///       An entry for the reference. Keys that some kinds of entry need are `required` in it.
+///   static void explain_further(std::ostream& to, std::string_view key)
+///       Prints what `thalweg explain` adds when it is asked for `key`.
 ///
-/// Reader, writer, hash, `thalweg explain`, docs/case-file.md and the JSON schema are visitors of describe(). A visitor offers:
-///   quantity(key, double&, si_unit, low, high, sentence)                 a text with a unit
-///   number(key, double&, low, high, sentence)                            a plain number (dimensionless)
+/// Reader, writer, hash, `thalweg explain`, docs/case-file.md and the JSON schema are visitors of describe(). A visitor
+/// offers these functions:
+///   quantity(key, double&, si_unit, low, high, sentence)                   a text with a unit
+///   number(key, double&, low, high, sentence)                              a plain number (dimensionless)
 ///   integer(key, int&, low, high, sentence)
 ///   flag(key, bool&, sentence)
 ///   text(key, std::string&, sentence)
 ///   texts(key, std::vector<std::string>&, sentence)
-///   point(key, Vec3&, si_unit, sentence)                                 one entry per dimension: [x, z] or [x, y, z]
+///   point(key, Vec3&, si_unit, sentence)                                   one entry per dimension, e.g. [x, z]
 ///   quantities(key, std::vector<double>&, si_unit, low, high, sentence)
-///   polygon(key, std::vector<Vector2d>&, si_unit, sentence)              [[x, z], …]
-///   choice(key, E&, sentence)                                            the words come from choices(E)
-///   direction(key, Vec3&, sentence)                                      plain numbers, one per dimension; any length but zero
+///   polygon(key, std::vector<Vector2d>&, si_unit, sentence)                [[x, z], …]
+///   choice(key, E&, sentence)                                              the words come from choices(E)
+///   direction(key, Vec3&, sentence)                                        as many plain numbers; not all zero
 namespace thalweg {
 
 /// Marks a number that the case file has to give.

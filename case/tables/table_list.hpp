@@ -11,9 +11,9 @@
 
 #include "case/tables/table.hpp"
 
-// Loops over the tables of a case. C is a struct like Case: its static constexpr tables() returns the pointers to its members
-// that are tables, in the order in which they are read, written and described. The type of a member says how often its table
-// may occur.
+// Loops over the tables of a case. C is a struct like Case: its static constexpr tables() returns the pointers to its
+// members that are tables, in the order in which they are read, written and described. The type of a member says how
+// often its table may occur.
 namespace thalweg {
 
 enum class TableForm {
@@ -39,7 +39,8 @@ struct TableTraits<std::map<std::string, T>> {
   static constexpr TableForm form = TableForm::by_name;
 };
 
-/// The part of a name before its first dot: "materials" of "materials.<sediment>" and of "materials.water"; empty without.
+/// The part of a name before its first dot: "materials" of "materials.<sediment>" and of "materials.water"; empty
+/// without.
 inline std::string_view group_of(std::string_view name) {
   const auto dot = name.find('.');
   return dot == std::string_view::npos ? std::string_view() : name.substr(0, dot);

@@ -65,7 +65,7 @@ TEST_P(BrokenRule, IsRefused) {
   EXPECT_THAT(message_of(good_case, GetParam().overrides), HasSubstr(GetParam().message));
 }
 
-// What bad_cases/ does not hold.
+// The rules of which bad_cases/ holds no example.
 INSTANTIATE_TEST_SUITE_P(
     Models, BrokenRule,
     ::testing::Values(

@@ -10,8 +10,9 @@
 #include "case/tables/common_checks.hpp"
 #include "common/error.hpp"
 
-// A new table is one struct and one line in the list of tables: reader, writer, check, overrides, `thalweg explain`, the page and
-// the schema follow. The proof is a case of three tables that the project does not know, one of each form, declared here alone.
+// A new table is one struct and one line in the list of tables: reader, writer, check, overrides, `thalweg explain`,
+// the page and the schema follow. The proof is a case of three tables that the project does not know, one of each form,
+// declared here alone.
 namespace thalweg {
 namespace {
 
