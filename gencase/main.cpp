@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "case/reader/case_file.hpp"
-#include "case/reader/tables.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
@@ -37,7 +36,7 @@ thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check
 
 void ask_for_repair(Case& scene) {
   for (thalweg::Shape& shape : scene.shapes)
-    shape.repair = shape.repair || thalweg::shape_uses_key(shape, "repair", scene.info.dimension);
+    shape.repair = shape.repair || shape.uses_key("repair", scene.info.dimension);
 }
 
 int gencase(int argc, char** argv) {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
-#include "case/reader/tables.hpp"
+#include "case/tables/table_list.hpp"
 #include "common/units.hpp"
 
 namespace thalweg {
@@ -84,7 +85,7 @@ Constant shape_in_a_row(Shape& shape, int dimension) {
   std::vector<std::string> what;
   std::vector<std::string> where;
   for (const Constant& row : values_of(shape, dimension)) {
-    if (row.key == "name" || row.value == "–" || !shape_uses_key(shape, row.key, dimension)) continue;
+    if (row.key == "name" || row.value == "–" || !shape.uses_key(row.key, dimension)) continue;
     if (row.is_default && row.key == "thickness") continue;  // the default is a word, not the 0 that stands for it
     const bool speaks_for_itself = row.key == "kind" || row.key == "role" || row.key == "material";
     if (speaks_for_itself) {
@@ -131,27 +132,16 @@ class SwitchList {
 
 std::vector<ConstantTable> list_constants(const Case& resolved) {
   Case copy = resolved;  // describe() hands out references to the values
-  const int dimension = copy.info.dimension;
+  const int dimension = copy.dimension();
   std::vector<ConstantTable> tables;
-  for_each_table(
-      copy,
-      [&](const TableHeading& heading, auto& table) {
-        tables.push_back({heading.name, values_of(table, dimension)});
-      },
-      [&] {
-        tables.push_back({"shape", {}});
-        for (Shape& shape : copy.shapes) tables.back().rows.push_back(shape_in_a_row(shape, dimension));
-        for (Motion& motion : copy.motions) tables.push_back({"motion." + motion.name, values_of(motion, dimension)});
-      },
-      [&] {
-        for (auto& [name, sediment] : copy.sediments) {
-          tables.push_back({"materials." + name, values_of(sediment, dimension)});
-        }
-      },
-      [&] {
-        for (Gauge& gauge : copy.gauges) tables.push_back({"gauge " + gauge.name, values_of(gauge, dimension)});
-        for (ProfileLine& line : copy.lines) tables.push_back({"line " + line.name, values_of(line, dimension)});
-      });
+  for_each_entry(copy, [&]<class Table>(const EntryPlace& place, Table& table) {
+    if constexpr (std::is_same_v<Table, Shape>) {
+      if (tables.back().name != place.heading.name) tables.push_back({place.heading.name, {}});
+      tables.back().rows.push_back(shape_in_a_row(table, dimension));
+    } else {
+      tables.push_back({place.path(), values_of(table, dimension)});
+    }
+  });
   return tables;
 }
 

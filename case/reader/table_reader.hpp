@@ -8,17 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "case/case.hpp"
-#include "case/check.hpp"
-#include "case/reader/keys.hpp"
+#include "case/check_context.hpp"
+#include "case/nearest.hpp"
 #include "case/reader/toml.hpp"
+#include "case/tables/table.hpp"
 #include "common/error.hpp"
+#include "common/particles.hpp"
 #include "common/units.hpp"
 
 namespace thalweg {
 
-/// Visits the struct of a table and fills it from the file. Every method is the one of the same name in case.hpp; each
-/// throws InputError "where: what is wrong; what to do".
+/// Visits the struct of a table and fills it from the file. case/tables/table.hpp describes the methods; each throws
+/// InputError "where: what is wrong; what to do".
 class TableReader {
  public:
   TableReader(const toml::table* table, std::string path, int dimension, CaseOrigins& origins)

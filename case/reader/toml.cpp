@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -37,7 +38,7 @@ toml::table parse_override_value(const std::string& value, const std::string& so
   return toml::parse("value = " + quoted.str(), source);
 }
 
-// `list` is "shape", "gauge" …
+// The entry of a repeated table; `list` is its name.
 toml::table& entry_to_override(toml::table& root, const std::string& list, const std::string& name,
                                const std::string& source) {
   std::vector<std::string> names;
@@ -52,30 +53,51 @@ toml::table& entry_to_override(toml::table& root, const std::string& list, const
               fmt::format("the {}s are {}", list, fmt::join(names, ", ")));
 }
 
-toml::table& material_to_override(toml::table& root, const std::string& name, const std::string& source) {
-  toml::table* materials = root["materials"].as_table();
-  if (materials == nullptr && name == "water")
-    materials = root.insert("materials", toml::table{}).first->second.as_table();
-  if (materials != nullptr && name == "water") materials->insert(name, toml::table{});
-  if (materials != nullptr && materials->get(name) != nullptr && materials->get(name)->is_table()) {
-    return *materials->get(name)->as_table();
+// The table `name` of a group, whose name is a plural. Single tables, which a file may leave out, are made.
+toml::table& group_to_override(toml::table& root, const std::string& group, const std::string& name, bool may_be_made,
+                               const std::string& source) {
+  toml::table* members = root[group].as_table();
+  if (members == nullptr && may_be_made) members = root.insert(group, toml::table{}).first->second.as_table();
+  if (members != nullptr && may_be_made) members->insert(name, toml::table{});
+  if (members != nullptr && members->get(name) != nullptr && members->get(name)->is_table()) {
+    return *members->get(name)->as_table();
   }
   std::vector<std::string> names;
-  if (materials != nullptr) {
-    for (const auto& [known, ignored] : *materials) names.emplace_back(known.str());
+  if (members != nullptr) {
+    for (const auto& [known, ignored] : *members) names.emplace_back(known.str());
   }
-  reject_case(source, fmt::format("there is no material \"{}\"", name),
-              fmt::format("the materials are {}", fmt::join(names, ", ")));
+  reject_case(source, fmt::format("there is no {} \"{}\"", group.substr(0, group.size() - 1), name),
+              fmt::format("the {} are {}", group, fmt::join(names, ", ")));
 }
 
-toml::table& table_to_override(toml::table& root, const std::vector<std::string>& key, const std::string& source) {
-  const bool is_list = !key.empty() && is_list_of_tables(key[0]);
-  if (key.size() == 3 && is_list) return entry_to_override(root, key[0], key[1], source);
-  if (key.size() == 3 && key[0] == "materials") return material_to_override(root, key[1], source);
-  if (key.size() != 2 || is_list || key[0] == "materials") {
+// The words that may stand for TABLE in an override TABLE.NAME.key=value.
+std::vector<std::string> names_with_entries(const Declarations& tables) {
+  std::vector<std::string> names;
+  for (const TableDeclaration& table : tables) {
+    if (table.form == TableForm::repeated) names.push_back(table.name);
+  }
+  for (const std::string& group : groups_of(tables)) names.push_back(group);
+  return names;
+}
+
+toml::table& table_to_override(toml::table& root, const std::vector<std::string>& key, const Declarations& tables,
+                               const std::string& source) {
+  const std::vector<std::string> with_entries = names_with_entries(tables);
+  const bool has_entries =
+      !key.empty() && std::find(with_entries.begin(), with_entries.end(), key[0]) != with_entries.end();
+  if (key.size() == 3 && has_entries) {
+    const TableDeclaration* table = find_table(tables, key[0]);
+    if (table != nullptr) return entry_to_override(root, key[0], key[1], source);
+    const TableDeclaration* member = find_table(tables, key[0] + "." + key[1]);
+    const bool is_single = member != nullptr && member->form == TableForm::single;
+    return group_to_override(root, key[0], key[1], is_single, source);
+  }
+  if (key.size() != 2 || has_entries) {
     reject_case(
         source, "not a key",
-        "write table.key=value, shape.NAME.key=value or materials.NAME.key=value; `thalweg explain` lists the keys");
+        fmt::format("write table.key=value, or TABLE.NAME.key=value where TABLE is one of {}; `thalweg explain` "
+                    "lists the keys",
+                    fmt::join(with_entries, ", ")));
   }
   if (root.get(key[0]) == nullptr) root.insert(key[0], toml::table{});
   if (!root.get(key[0])->is_table())
@@ -98,10 +120,6 @@ std::string where_is(const toml::node& node, const std::string& file) {
 
 std::string name_of_entry(const toml::table& entry) { return entry["name"].value_or(std::string()); }
 
-bool is_list_of_tables(std::string_view name) {
-  return name == "shape" || name == "motion" || name == "gauge" || name == "line";
-}
-
 toml::table parse_case_toml(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream content;
@@ -110,7 +128,7 @@ toml::table parse_case_toml(const std::filesystem::path& file) {
   return parse_toml(content.str(), file.string());
 }
 
-void apply_override(toml::table& root, const std::string& text) {
+void apply_override(toml::table& root, const std::string& text, const Declarations& tables) {
   const std::string source = std::string(override_mark) + text;
   const auto equals = text.find('=');
   if (equals == std::string::npos) reject_case(source, "has no value", "write --set table.key=value");
@@ -118,7 +136,7 @@ void apply_override(toml::table& root, const std::string& text) {
   std::istringstream parts(text.substr(0, equals));
   for (std::string part; std::getline(parts, part, '.');) key.push_back(part);
 
-  toml::table& table = table_to_override(root, key, source);
+  toml::table& table = table_to_override(root, key, tables, source);
   toml::table parsed = parse_override_value(text.substr(equals + 1), source);
   // Moved, not copied: a copied node forgets where it comes from.
   parsed.get("value")->visit([&](auto& value) { table.insert_or_assign(key.back(), std::move(value)); });

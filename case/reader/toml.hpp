@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "case/reader/declarations.hpp"
+
 namespace thalweg {
 
 /// Throws InputError "where: what; cure".
@@ -18,13 +20,13 @@ std::string where_is(const toml::node& node, const std::string& file);
 toml::table parse_case_toml(const std::filesystem::path& file);
 
 /// Puts the value of "table.key=value" into `root`; its nodes remember that they come from an override. Throws
-/// InputError when the text is no override or names an absent entry of a list or material.
-void apply_override(toml::table& root, const std::string& text);
+/// InputError when the text is no override, or names an entry of a repeated table or a table by name that is absent.
+void apply_override(toml::table& root, const std::string& text, const Declarations& tables);
 
-/// The name of a [[shape]], [[gauge]] …; empty when it has none or no text.
+/// The name of one of several tables, such as [[gauge]]; empty when it has none or no text.
 std::string name_of_entry(const toml::table& entry);
 
-/// The lists of tables with names: "shape", "motion", "gauge", "line".
-bool is_list_of_tables(std::string_view name);
+/// The table of a case.resolved.toml that says what it was resolved from; no table of a case.
+inline constexpr const char* resolved_table = "resolved";
 
 }  // namespace thalweg

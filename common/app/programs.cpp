@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "case/reader/keys.hpp"
+#include "case/nearest.hpp"
 #include "common/error.hpp"
 
 namespace thalweg {

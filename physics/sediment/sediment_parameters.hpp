@@ -24,6 +24,19 @@ struct SedimentParameters {
   double critical_shields = 0;        // [-]; 0: by the grain Reynolds number
   double oedometer_modulus = 1e6;     // [Pa]
 
+  // Three states: when grains leave the bed load, and when they come back to it.
+  double dilute_concentration = 0.312;  // [-]
+  double dense_concentration = 0.33;    // [-]
+  double deposition_stress = 0.8;       // [-] over the critical stress
+  double deposition_speed = 0.01;       // [-] over sqrt(g d)
+
+  // Rest: when calm sediment stops, and when it wakes. m is the regularisation, dp the particle spacing.
+  double rest_shear = 8;                // [-] shear rate times m
+  double rest_least_shear_rate = 0.01;  // [1/s]
+  double rest_speed = 0.01;             // [-] over sqrt(g dp)
+  double rest_time = 2;                 // [-] over sqrt(dp/g)
+  double wake_shear = 1.5;              // [-] over the shear rate of rest
+
   /// Density of the bed as a whole, grains and what fills the pores [kg/m^3].
   [[nodiscard]] double bed_density() const { return porosity * pore_density + (1 - porosity) * grain_density; }
 
@@ -60,6 +73,42 @@ struct SedimentParameters {
     v.quantity("oedometer_modulus", oedometer_modulus, "Pa", 1e3, 1e11,
                "Stiffness of the packing against compression, with which excess pore pressure drains "
                "(model.pore_pressure).");
+    describe_states(v);
+    describe_rest(v);
+  }
+
+ private:
+  template <class Visitor>
+  void describe_states(Visitor& v) {
+    v.number(
+        "dilute_concentration", dilute_concentration, 0, 1,
+        "three-state: bed load is taken into suspension only where sediment, pores included, is at most this share "
+        "of the fluid's volume. With implementation = \"paper\" suspended grains become bed load above it.");
+    v.number("dense_concentration", dense_concentration, 0, 1,
+             "three-state: suspended grains become bed load where sediment is more than this share of the fluid's "
+             "volume; above dilute_concentration, so that grains do not change to and fro.");
+    v.number("deposition_stress", deposition_stress, 0, 1,
+             "three-state: bed load comes to rest on the bed only where the shear stress is below this share of the "
+             "critical one.");
+    v.number("deposition_speed", deposition_speed, 0, 10,
+             "three-state: bed load comes to rest on the bed only where it is slower than this times sqrt(g d50).");
+  }
+  template <class Visitor>
+  void describe_rest(Visitor& v) {
+    v.number("rest_shear", rest_shear, 0, 1000,
+             "model.rest: sediment is calm where its shear rate times `regularisation` is less; with 8 its stress is "
+             "below 98 % of the yield stress.");
+    v.quantity("rest_least_shear_rate", rest_least_shear_rate, "s^-1", 0, 1e3,
+               "model.rest: sediment is calm below this shear rate, however sharp the regularisation is.");
+    v.number("rest_speed", rest_speed, 0, 10,
+             "model.rest: sediment is calm only if it is slower than this times sqrt(g dp), dp being the particle "
+             "spacing.");
+    v.number(
+        "rest_time", rest_time, 0, 1e6,
+        "model.rest: sediment stops after it has been calm for this times sqrt(dp/g); 2: the time in which a grain "
+        "falls two spacings.");
+    v.number("wake_shear", wake_shear, 1, 1000,
+             "model.rest: sediment at rest wakes where the shear rate is above this times the one of calm sediment.");
   }
 };
 

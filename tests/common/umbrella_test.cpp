@@ -33,7 +33,7 @@ class Umbrella : public ::testing::Test {
     fs::create_directories(folder / "bin");
     fs::copy_file(THALWEG_PROGRAM, folder / "bin/thalweg");
     for (const char* stage : {"gencase", "solver", "foam", "postproc"}) install(stage, 0);
-    fs::copy_file(source / "tests/common/good_case.toml", folder / "case.toml");
+    fs::copy_file(source / "tests/case/good_case.toml", folder / "case.toml");
   }
   ~Umbrella() override { fs::remove_all(folder); }
 

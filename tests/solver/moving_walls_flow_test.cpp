@@ -126,7 +126,7 @@ const std::vector<std::string> short_flume = {"output.end=\"0.3 s\"", "output.in
 
 TEST(Paddles, AreWhereTheirMotionsPutThem) {
   test::CaseRun run("motions");
-  run.fill_from(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml", short_flume);
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml", short_flume);
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const ParticleSet end = read_particles(run.folder().checkpoint());
   const auto& motion = end.scalars.at(motion_array);
@@ -152,10 +152,10 @@ TEST(Paddles, AreWhereTheirMotionsPutThem) {
 
 TEST(Paddles, ContinueBitForBitAfterARestart) {
   test::CaseRun straight("straight");
-  straight.fill_from(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml", short_flume);
+  straight.fill_from(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml", short_flume);
   ASSERT_EQ(run_solver(straight.options()), Exit::done);
   test::CaseRun broken("broken");
-  broken.fill_from(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml", short_flume);
+  broken.fill_from(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml", short_flume);
   RunOptions first = broken.options();
   first.until = "0.2 s";
   ASSERT_EQ(run_solver(first), Exit::done);

@@ -64,7 +64,7 @@ TEST(RigidMotion, VelocityAndAccelerationAreItsDerivatives) {
 
 class MotionOf : public testing::Test {
  protected:
-  MotionOf() : motions_(make_motions(read_case(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml"))) {}
+  MotionOf() : motions_(make_motions(read_case(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml"))) {}
   void expect(std::size_t motion, double t, double place, double rate, double change) const {
     const RigidState s = motions_.at(motion).at(t);
     EXPECT_NEAR(s.place, place, 1e-12) << t;
@@ -97,7 +97,7 @@ TEST_F(MotionOf, ARotationGoesOn) {
 }
 
 TEST(Motions, CountFromWhereTheyAreAtTheStart) {
-  Case c = read_case(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml");
+  Case c = read_case(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml");
   c.motions[0].displacements = {3, 4};
   EXPECT_NEAR(make_motions(c)[0].at(0).place, 0, 1e-15);
   EXPECT_NEAR(make_motions(c)[0].at(1).place, 1, 1e-15);
@@ -124,7 +124,7 @@ TEST(Motions, TellTheirLargestSpeed) {
 }
 
 TEST(Motions, OscillateFromOneEndOfTheStroke) {
-  Case c = read_case(THALWEG_SOURCE_DIR "/tests/common/good_case_moving.toml");
+  Case c = read_case(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml");
   c.motions[0].kind = MotionKind::oscillation;
   c.motions[0].amplitude = 0.02;
   c.motions[0].period = 0.8;

@@ -1,76 +1,16 @@
-#include "case/reader/case_file.hpp"
-
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <numbers>
-#include <sstream>
 
-#include "common/error.hpp"
+#include "tests/case/case_files.hpp"
 
 namespace thalweg {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-const fs::path source = THALWEG_SOURCE_DIR;
-const fs::path good_case = source / "tests/common/good_case.toml";
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-// A folder for one test.
-fs::path own_folder() {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = fmt::format("{}.{}", test->test_suite_name(), test->name());
-  std::replace(name.begin(), name.end(), '/', '.');
-  const fs::path folder = fs::path(::testing::TempDir()) / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
-
-std::string message_of(const fs::path& file, const std::vector<std::string>& overrides = {}) {
-  try {
-    read_case(file, overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-// Every file of bad_cases is a case with one mistake; its first line is the message it must cause, without the folder.
-class BadCase : public ::testing::TestWithParam<fs::path> {};
-
-TEST_P(BadCase, CausesItsMessage) {
-  std::string expected;
-  std::ifstream file(GetParam());
-  std::getline(file, expected);
-  const std::string folder = (source / "tests/common/bad_cases/").string();
-  std::string message = message_of(GetParam());
-  if (message.starts_with(folder)) message.erase(0, folder.size());
-  EXPECT_EQ("# " + message, expected);
-}
-
-std::vector<fs::path> bad_cases() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(source / "tests/common/bad_cases")) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-INSTANTIATE_TEST_SUITE_P(Corpus, BadCase, ::testing::ValuesIn(bad_cases()),
-                         [](const auto& parameter) { return parameter.param.stem().string(); });
-
-TEST(BadCases, AreMany) { EXPECT_GE(bad_cases().size(), 70U); }
 
 TEST(ReadCase, FillsWhatTheFileSays) {
   const Case read = read_case(source / "cases/louvain");
@@ -110,7 +50,7 @@ TEST(ReadCase, TakesTheNameFromTheFolder) {
 }
 
 TEST(ReadCase, ReadsThreeDimensions) {
-  const Case read = read_case(source / "tests/common/good_case_3d.toml");
+  const Case read = read_case(source / "tests/case/good_case_3d.toml");
   EXPECT_EQ(read.shapes[1].from, Vec3(0, 0.1, -0.1));
   EXPECT_EQ(read.shapes[2].kind, ShapeKind::combine_difference);
   EXPECT_THAT(read.domain.periodic, ElementsAre("y"));
@@ -151,9 +91,10 @@ TEST(Overrides, NameThemselvesInMessages) {
             "--set shape.tonk.to=[\"0 m\", \"0 m\"]: there is no shape \"tonk\"; the shapes are walls, bed, tank");
   EXPECT_EQ(message("materials.sand.porosity=0.4"),
             "--set materials.sand.porosity=0.4: there is no material \"sand\"; the materials are pvc");
-  EXPECT_EQ(message("spacing=4 mm"),
-            "--set spacing=4 mm: not a key; write table.key=value, shape.NAME.key=value or materials.NAME.key=value; "
-            "`thalweg explain` lists the keys");
+  EXPECT_EQ(
+      message("spacing=4 mm"),
+      "--set spacing=4 mm: not a key; write table.key=value, or TABLE.NAME.key=value where TABLE is one of shape, "
+      "motion, gauge, line, materials; `thalweg explain` lists the keys");
   EXPECT_EQ(message("numerics.spacing"), "--set numerics.spacing: has no value; write --set table.key=value");
   EXPECT_EQ(message("compare.times=[\"1 s\""),
             "--set compare.times=[\"1 s\": the value is not TOML: Error while parsing array: encountered end-of-file; "
@@ -182,8 +123,8 @@ TEST_P(ResolvedCase, ReadsBackEqual) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ResolvedCase,
-                         ::testing::Values("cases/louvain", "tests/common/good_case.toml",
-                                           "tests/common/good_case_3d.toml", "tests/common/good_case_moving.toml"));
+                         ::testing::Values("cases/louvain", "tests/case/good_case.toml", "tests/case/good_case_3d.toml",
+                                           "tests/case/good_case_moving.toml"));
 
 TEST(HashOf, FollowsValuesOnly) {
   const std::string hash = hash_of(read_case(good_case));
@@ -210,7 +151,7 @@ TEST(HashOf, FollowsTheFilesThatShapesName) {
 
 TEST(Motion, ReadsItsTableFromAFile) {
   const fs::path folder = own_folder();
-  std::string text = text_of(source / "tests/common/good_case_moving.toml");
+  std::string text = text_of(source / "tests/case/good_case_moving.toml");
   const std::string table = "times = [\"0 s\", \"0.5 s\", \"1 s\"]\nangles = [\"0 deg\", \"10 deg\", \"-10 deg\"]\n";
   text.replace(text.find(table), table.size(), "file = \"swing.csv\"\n");
   std::ofstream(folder / "case.toml") << text;
@@ -243,38 +184,6 @@ TEST(Sediment, MustBeOne) {
   empty.sediments["a"];
   empty.sediments["b"];
   EXPECT_THROW((void)empty.sediment(), InputError);
-}
-
-std::string explained(const std::string& key) {
-  std::ostringstream text;
-  explain(text, key);
-  return text.str();
-}
-
-TEST(Explain, FindsKeysHoweverTheyAreNamed) {
-  const std::string expected =
-      "numerics.spacing\n  m, 1 um to 100 m; required\n  Distance of the particles at the start (dp).\n";
-  EXPECT_EQ(explained("numerics.spacing"), expected);
-  EXPECT_EQ(explained("spacing"), expected);
-  EXPECT_THAT(explained("numerics"), HasSubstr(expected));
-  EXPECT_THAT(explained(""), HasSubstr(expected));
-  EXPECT_THAT(explained("materials.pvc.porosity"), HasSubstr("materials.<sediment>.porosity\n"));
-  EXPECT_THAT(explained("shape.kind"), HasSubstr("\"difference\": the first shape of `of` without the others"));
-  try {
-    explained("spacng");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "explain: there is no key or table spacng; did you mean spacing?");
-  }
-}
-
-// The two files are generated; `cmake --build <build> --target docs` writes them anew.
-TEST(Explain, SetsTheTwoReadingsOfTheModelSideBySide) {
-  const std::string text = explained("sediment");
-  EXPECT_THAT(text, HasSubstr("model.sediment\n"));
-  EXPECT_THAT(text,
-              HasSubstr("  bed load to deposit\n    paper:      none: bed load never consolidates\n    consistent: "));
-  EXPECT_EQ(explained("spacing").find("consistent:"), std::string::npos);
 }
 
 TEST(Implementation, SetsDefaultsThatTheCaseMayStillChange) {
@@ -315,15 +224,6 @@ TEST(Accuracy, ComesTooLateForAResolvedCase) {
   EXPECT_THAT(message_of(file, {"numerics.accuracy=fine"}),
               HasSubstr("numerics.accuracy sets defaults, and a resolved case has none left; fill the scene again"));
   fs::remove_all(file.parent_path());
-}
-
-TEST(Documentation, IsWhatTheDeclarationsSay) {
-  std::ostringstream markdown;
-  write_key_reference(markdown);
-  EXPECT_EQ(text_of(source / "docs/case-file.md"), markdown.str()) << "build the target `docs`";
-  std::ostringstream schema;
-  write_key_schema(schema);
-  EXPECT_EQ(text_of(source / "docs/case-file.schema.json"), schema.str()) << "build the target `docs`";
 }
 
 }  // namespace

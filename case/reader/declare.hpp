@@ -1,22 +1,25 @@
-#include "case/reader/keys.hpp"
+#pragma once
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "case/reader/tables.hpp"
+#include "case/reader/declarations.hpp"
+#include "case/tables/table_list.hpp"
+#include "common/particles.hpp"
 #include "common/units.hpp"
 
 namespace thalweg {
-namespace {
 
-// Visits a table whose members hold the defaults.
+/// Visits a table whose members hold the defaults, and collects its declarations.
 class Collector {
  public:
-  explicit Collector(const TableHeading& heading) : table_{heading.name, heading.meaning, {}} {}
+  explicit Collector(TableDeclaration table) : table_(std::move(table)) {}
   TableDeclaration take() { return std::move(table_); }
 
   void quantity(const char* key, double& value, const char* unit, double low, double high, const char* sentence) {
@@ -75,8 +78,8 @@ class Collector {
     for (const Choice<E>& word : choices(E{})) {
       added.words.emplace_back(word.name);
       added.word_sentences.emplace_back(word.sentence);
-      if (word.value == value) added.default_text = fmt::format("\"{}\"", word.name);
     }
+    added.default_text = fmt::format("\"{}\"", word_for(value));
   }
 
  private:
@@ -101,93 +104,35 @@ class Collector {
   TableDeclaration table_;
 };
 
+/// The declarations of one table.
 template <class Table>
-TableDeclaration collect(const TableHeading& heading, Table& table) {
-  Collector collector(heading);
+TableDeclaration declare_table(TableForm form) {
+  const TableHeading& heading = Table::heading;
+  TableDeclaration declaration{heading.name, form, heading.meaning, heading.note, false, {}, nullptr};
+  if constexpr (requires { &Table::explain_further; }) declaration.explain_further = &Table::explain_further;
+  Collector collector(std::move(declaration));
+  Table table;
+  if constexpr (requires { &Table::without_defaults; }) table = Table::without_defaults();
   table.describe(collector);
-  return collector.take();
+  declaration = collector.take();
+  // A single table with a key that the case has to give cannot be left out either.
+  const bool needs_a_key =
+      form == TableForm::single && std::any_of(declaration.keys.begin(), declaration.keys.end(),
+                                               [](const KeyDeclaration& key) { return key.required; });
+  declaration.indispensable = heading.indispensable || needs_a_key;
+  return declaration;
 }
 
-std::vector<TableDeclaration> collect_all() {
-  std::vector<TableDeclaration> tables;
-  Case defaults;
-  // A shape's geometry has no default; which of these keys it needs depends on its kind.
-  Shape shape;
-  shape.from = shape.to = shape.center = Vec3::Constant(required);
-  shape.radius = required;
-  Motion motion;
-  motion.direction = motion.center = motion.axis = Vec3::Constant(required);
-  motion.amplitude = motion.period = required;
-  Gauge gauge;
-  gauge.at = gauge.from = gauge.to = Vec3::Constant(required);
-  ProfileLine line;
-  SedimentParameters sediment;
-  for_each_table(
-      defaults, [&](const TableHeading& heading, auto& table) { tables.push_back(collect(heading, table)); },
-      [&] {
-        tables.push_back(collect(shape_heading, shape));
-        tables.push_back(collect(motion_heading, motion));
-      },
-      [&] { tables.push_back(collect(sediment_heading, sediment)); },
-      [&] {
-        tables.push_back(collect(gauge_heading, gauge));
-        tables.push_back(collect(line_heading, line));
-      });
+/// The declarations of all tables of C, a struct like Case (case/tables/table_list.hpp).
+template <class C>
+Declarations declare_tables() {
+  Declarations tables;
+  C defaults;
+  for_each_table(defaults, [&]<class Member>(Member&) {
+    using Traits = TableTraits<Member>;
+    tables.push_back(declare_table<typename Traits::Entry>(Traits::form));
+  });
   return tables;
-}
-
-// Levenshtein's distance: fewest insertions, deletions and replacements that turn one word into the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
-
-std::string KeyDeclaration::full_name() const {
-  return fmt::format("{}.{}", is_list() ? table.substr(1, table.size() - 2) : table, name);
-}
-
-const std::vector<TableDeclaration>& case_declarations() {
-  static const std::vector<TableDeclaration> tables = collect_all();
-  return tables;
-}
-
-const TableDeclaration* find_table(std::string_view name) {
-  std::string_view wanted = name;
-  if (wanted == "shape") wanted = shape_heading.name;
-  if (wanted == "motion") wanted = motion_heading.name;
-  if (wanted == "gauge") wanted = gauge_heading.name;
-  if (wanted == "line") wanted = line_heading.name;
-  if (wanted.starts_with("materials.") && wanted != water_heading.name) wanted = sediment_heading.name;
-  for (const TableDeclaration& table : case_declarations()) {
-    if (table.name == wanted) return &table;
-  }
-  return nullptr;
-}
-
-std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  std::optional<std::string> best;
-  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 2) + 1;
-  for (const std::string& candidate : candidates) {
-    const bool is_beginning = word.size() > 1 && candidate.starts_with(word);  // "spac" means "spacing"
-    const std::size_t distance = is_beginning ? 1 : edit_distance(word, candidate);
-    if (distance < best_distance) {
-      best = candidate;
-      best_distance = distance;
-    }
-  }
-  return best;
 }
 
 }  // namespace thalweg

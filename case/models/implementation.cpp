@@ -1,0 +1,64 @@
+#include "case/models/implementation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <array>
+#include <ostream>
+#include <string>
+
+#include "physics/sediment/sediment_parameters.hpp"
+#include "physics/sediment/surface_fill.hpp"
+
+namespace thalweg {
+namespace {
+
+/// One row of the differences between the two readings.
+struct Reading {
+  std::string subject;
+  std::string paper;
+  std::string consistent;
+};
+
+std::array<Reading, 9> readings() {
+  const SedimentParameters s;
+  return {{
+      {"yield coefficient K", "2 sin(phi)/(sqrt3 (3 - sin(phi))), the coefficient of I1 used on p: 0.298 at 38 deg",
+       "sin(phi), plane strain without dilation: 0.616 at 38 deg (model.yield_fit)"},
+      {"yielded sediment", "consistency 1.54 Pa s^n, flow index 1.8: a syrup, which hides the erosion law",
+       "consistency 1.5e-3 Pa s, flow index 1: a light slurry, which lets it act"},
+      {"bed shear stress", "rho (kappa du/2)^2, du summed over the water without dividing by its share",
+       "rho u*^2 by the logarithmic law from the mean of the water in reach (model.bed_shear)"},
+      {"bed surface",
+       fmt::format("sediment-only density sum below 1250 of 1540 kg/m^3, {} of a full bed", surface_fill_as_printed),
+       fmt::format("below {} ({} for smoothing_ratio > {}); grains that move have to be buried by {} more",
+                   surface_fill_narrow, surface_fill_wide, widest_narrow_kernel_of_states, surface_fill_hysteresis)},
+      {"deposit to bed load", "shear stress above the critical one of the slope", "the same"},
+      {"bed load to deposit", "none: bed load never consolidates",
+       fmt::format("buried; or below {} of the critical stress and slower than {} sqrt(g d) for sqrt(d/g)",
+                   s.deposition_stress, s.deposition_speed)},
+      {"bed load to suspended",
+       fmt::format("concentration <= {} and speed above the lift velocity", s.dilute_concentration),
+       fmt::format(
+           "concentration <= {}, stress above critical, velocity along the bed's normal above the lift velocity",
+           s.dilute_concentration)},
+      {"suspended to bed load",
+       fmt::format("concentration > {} or speed below the settling velocity", s.dilute_concentration),
+       fmt::format("concentration > {}; or slower than the settling velocity, sinking through the water, over bed load "
+                   "or deposit",
+                   s.dense_concentration)},
+      {"viscosity in suspension", "water's times exp[0.5 C/(1 - 39 C/64)], C share of sediment particles",
+       "water's times exp[2.5 C/(1 - 39 C/64)], C volume share of grains (Vand)"},
+  }};
+}
+
+}  // namespace
+
+void explain_implementations(std::ostream& to) {
+  fmt::print(to, "What model.implementation changes (docs/theory.md, \"Three states\"):\n");
+  for (const Reading& r : readings()) {
+    fmt::print(to, "  {}\n    paper:      {}\n    consistent: {}\n", r.subject, r.paper, r.consistent);
+  }
+}
+
+}  // namespace thalweg

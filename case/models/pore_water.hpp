@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/models/rule.hpp"
+
+namespace thalweg::models {
+
+/// The needs of a model in which the water of the pores moves: a bed with pores full of the scene's water, whose
+/// effective pressure is the weight of the columns. `key` is the full name of the key that switches the model on.
+std::vector<Rule> pore_water_rules(const std::string& key);
+
+}  // namespace thalweg::models

@@ -1,0 +1,24 @@
+#include "case/models/sediment_motion.hpp"
+
+#include "case/case.hpp"
+
+namespace thalweg::models {
+
+bool SedimentMotion::is_on(const Case& whole) {
+  switch (whole.model.sediment) {
+    case SedimentModel::off:
+      return false;
+    case SedimentModel::viscoplastic:
+    case SedimentModel::three_state:
+      return true;
+  }
+  return false;
+}
+
+std::vector<Rule> SedimentMotion::rules() {
+  return {{[](const Case& c) { return !c.has_sediment(); }, "model.sediment",
+           "model.sediment is on, and no shape has the role sediment",
+           "add a sediment shape or write sediment = \"off\""}};
+}
+
+}  // namespace thalweg::models

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/check_context.hpp"
+#include "case/tables/table.hpp"
+#include "common/particles.hpp"
+
+// Checks that several tables share. Each throws InputError through CheckContext::reject.
+namespace thalweg {
+
+/// The key `name` has to be fit for names of files and folders.
+void check_file_name(const CheckContext& at, const std::string& name);
+
+/// `from` and `to` have to be the lower and the upper corner of a box.
+void check_corners(const CheckContext& at, const Vec3& from, const Vec3& to);
+
+/// The times of the key have to lie within a run that ends at `end` [s].
+void check_within_run(const CheckContext& at, std::string_view key, const std::vector<double>& times, double end);
+
+/// An entry's kind decides which keys it needs and which mean nothing. `also` is said of what decides beside the kind.
+template <class Entry>
+void check_keys(const CheckContext& at, const Entry& entry, std::string_view also = "") {
+  const std::string kind = fmt::format("a {} of kind \"{}\"", Entry::heading.name, word_for(entry.kind));
+  const std::vector<std::string> needed = entry.needs_keys(at.dimension());
+  for (const std::string& key : needed) {
+    if (at.given(key)) continue;
+    at.reject(at.path(), fmt::format("{} is missing", at.key(key)),
+              fmt::format("{} needs {}", kind, fmt::join(needed, ", ")));
+  }
+  for (const std::string& key : at.keys()) {
+    if (!at.given(key) || entry.uses_key(key, at.dimension())) continue;
+    at.reject(at.key(key), fmt::format("{} means nothing for {}{}", at.key(key), kind, also), "remove it");
+  }
+}
+
+}  // namespace thalweg

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/tables/table.hpp"
+
+namespace thalweg {
+
+/// [compare]: measurements, and the profiles compared with them.
+struct Compare {
+  static constexpr TableHeading heading{"compare", "What the result is compared with."};
+
+  std::vector<double> times;  // [s]
+  std::vector<std::string> references;
+  double from = 0;  // [m]
+  double to = 0;    // [m]
+  int runs = 1;
+
+  template <class V>
+  void describe(V& v) {
+    v.quantities("times", times, "s", 0, 1e9,
+                 "Times at which profiles are extracted and compared; snapshots are written there too.");
+    v.texts("references", references, "Folders with measured profiles (t0.250.csv …), relative to the case.");
+    v.quantity("from", from, "m", -1e9, 1e9, "Start of the range compared; with `to` equal: the whole domain.");
+    v.quantity("to", to, "m", -1e9, 1e9, "End of the range compared.");
+    v.integer("runs", runs, 1, 4,
+              "Particle runs that `thalweg run` makes, each with twice the spacing of the one before: what the spacing "
+              "decides, and what it costs.");
+  }
+
+  void check(const Case& whole, const CheckContext& at) const;
+};
+
+}  // namespace thalweg

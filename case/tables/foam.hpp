@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "case/tables/table.hpp"
+#include "physics/transport/bed_load.hpp"
+#include "physics/transport/pick_up.hpp"
+
+namespace thalweg {
+
+/// The names in foam.models and of `thalweg foam --model`; foam_reference/foam_model.hpp describes the models.
+inline constexpr std::array<const char*, 3> mesh_model_names{"same-material", "eroding-bed", "stock"};
+
+enum class FoamTurbulence { laminar, smagorinsky };
+
+inline constexpr std::array<Choice<FoamTurbulence>, 2> choices(FoamTurbulence) {
+  return {{{FoamTurbulence::laminar, "laminar", "none, as in the particle model"},
+           {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"}}};
+}
+inline constexpr std::array<Choice<BedLoad>, 2> choices(BedLoad) {
+  return {{{BedLoad::meyer_peter_mueller, "meyer-peter-mueller", "8 (theta - theta_cr)^1.5"},
+           {BedLoad::van_rijn, "van-rijn", "0.053 (theta/theta_cr - 1)^2.1 / d*^0.3, for sands"}}};
+}
+inline constexpr std::array<Choice<PickUp>, 2> choices(PickUp) {
+  return {{{PickUp::mastbergen, "mastbergen", "the lift velocity of Mastbergen & van den Berg"},
+           {PickUp::van_rijn, "van-rijn", "van Rijn's pick-up function, for sands"}}};
+}
+
+/// [foam]: the mesh model of the same scene, in OpenFOAM.
+struct Foam {
+  static constexpr TableHeading heading{"foam", "The mesh model of the same scene."};
+
+  std::vector<std::string> models;  // empty: all that fit the scene
+  double cell = 0;                  // [m]
+  int meshes = 2;
+  double open_above = 0;  // [m]
+  FoamTurbulence turbulence = FoamTurbulence::laminar;
+  BedLoad bed_load = BedLoad::meyer_peter_mueller;
+  PickUp pick_up = PickUp::mastbergen;
+
+  template <class V>
+  void describe(V& v) {
+    v.texts(
+        "models", models,
+        "Mesh models to run: \"same-material\", \"eroding-bed\", \"stock\" (foam_reference/README.md). Default: the "
+        "first two where the scene has sediment.");
+    v.quantity("cell", cell, "m", 0, 100, "Cell size of the mesh model; 0: twice the particle spacing.");
+    v.integer("meshes", meshes, 1, 4,
+              "Meshes each model runs on, each twice as coarse as the one before; their difference is shown as the "
+              "mesh model's uncertainty.");
+    v.quantity("open_above", open_above, "m", 0, 1e6,
+               "Height of air above the fluid's highest point in the mesh model; 0: half the fluid's height.");
+    v.choice("turbulence", turbulence, "Turbulence of the mesh model.");
+    v.choice("bed_load", bed_load, "What carries grains along the bed in \"eroding-bed\".");
+    v.choice("pick_up", pick_up, "What brings grains into suspension in \"eroding-bed\".");
+  }
+
+  void check(const Case& whole, const CheckContext& at) const;
+};
+
+}  // namespace thalweg

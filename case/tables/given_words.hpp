@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "case/tables/table.hpp"
+
+namespace thalweg {
+
+/// The texts of a case file, for tables whose defaults follow from one of them (set_defaults).
+struct GivenWords {
+  struct Word {
+    std::string text;
+    std::string where;  // "case.toml:12" or "--set …"
+  };
+
+  std::filesystem::path folder;       // of the case
+  bool resolved = false;              // the file is a case.resolved.toml
+  std::map<std::string, Word> words;  // "model.implementation" …
+
+  /// The place of the key's text; empty if it is not given.
+  [[nodiscard]] std::string where(const std::string& key) const {
+    const auto found = words.find(key);
+    return found != words.end() ? found->second.where : std::string();
+  }
+
+  /// The enumerator that the key names; nothing if it is not given, or unknown, which the reader refuses later.
+  template <class E>
+  [[nodiscard]] std::optional<E> choice(const std::string& key) const {
+    const auto found = words.find(key);
+    if (found == words.end()) return std::nullopt;
+    for (const Choice<E>& candidate : choices(E{})) {
+      if (found->second.text == candidate.name) return candidate.value;
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace thalweg

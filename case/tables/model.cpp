@@ -1,0 +1,54 @@
+#include "case/tables/model.hpp"
+
+#include <ostream>
+
+#include "case/case.hpp"
+#include "case/check_context.hpp"
+#include "case/models/all.hpp"
+#include "case/tables/given_words.hpp"
+
+namespace thalweg {
+
+YieldFit Model::plane_strain_fit() const {
+  switch (yield) {
+    case YieldCriterion::drucker_prager:
+      return yield_fit;
+    case YieldCriterion::mohr_coulomb:
+      return YieldFit::sine;
+  }
+  return yield_fit;
+}
+
+void Model::set_defaults(const GivenWords& given) {
+  switch (given.choice<Implementation>("model.implementation").value_or(Implementation::consistent)) {
+    case Implementation::consistent:
+      return;
+    case Implementation::paper:
+      yield_fit = YieldFit::paper;
+      bed_shear = BedShear::paper;
+      return;
+  }
+}
+
+void Model::check(const Case& whole, const CheckContext& at) const {
+  if (whole.has_sediment() && !models::SedimentMotion::is_on(whole)) {
+    at.reject("model.sediment", "there is a sediment shape, and model.sediment is off",
+              "write sediment = \"viscoplastic\" in [model]");
+  }
+  switch (yield) {
+    case YieldCriterion::drucker_prager:
+      break;
+    case YieldCriterion::mohr_coulomb:
+      if (at.resolved() || !at.given("yield_fit")) break;
+      at.reject("model.yield_fit", "model.yield_fit means nothing with yield = \"mohr-coulomb\"", "remove it");
+  }
+  models::for_each_rule(whole, [&](const models::Rule& rule) {
+    if (rule.broken(whole)) at.reject(rule.blamed, rule.what, rule.cure);
+  });
+}
+
+void Model::explain_further(std::ostream& to, std::string_view key) {
+  if (key == "sediment" || key == "implementation") explain_implementations(to);
+}
+
+}  // namespace thalweg

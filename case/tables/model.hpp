@@ -1,0 +1,65 @@
+#pragma once
+
+#include <iosfwd>
+#include <string_view>
+
+#include "case/models/bed_strength.hpp"
+#include "case/models/implementation.hpp"
+#include "case/models/mixture.hpp"
+#include "case/models/pore_pressure.hpp"
+#include "case/models/sediment_motion.hpp"
+#include "case/models/three_state.hpp"
+#include "case/models/wall_friction.hpp"
+#include "case/tables/table.hpp"
+
+namespace thalweg {
+
+/// [model]: the physics beyond water between walls.
+struct Model {
+  static constexpr TableHeading heading{"model", "What the scene needs; off unless named."};
+
+  SedimentModel sediment = SedimentModel::off;
+  Implementation implementation = Implementation::consistent;
+  EffectivePressure effective_pressure = EffectivePressure::column;
+  YieldCriterion yield = YieldCriterion::drucker_prager;
+  YieldFit yield_fit = YieldFit::sine;
+  Rheology rheology = Rheology::herschel_bulkley;
+  BedShear bed_shear = BedShear::log_law;
+  bool rest = true;
+  WallFriction wall_friction = WallFriction::none;
+  SeepageModel seepage = SeepageModel::off;
+  PorePressureModel pore_pressure = PorePressureModel::off;
+
+  /// The formula that turns the friction angle into the yield stress's coefficient in plane strain. With Mohr-Coulomb
+  /// there is only one.
+  [[nodiscard]] YieldFit plane_strain_fit() const;
+
+  template <class V>
+  void describe(V& v) {
+    v.choice("sediment", sediment, "How sediment moves.");
+    v.choice(
+        "implementation", implementation,
+        "Which reading of the source paper: sets the defaults of yield_fit, bed_shear, consistency and flow_index, "
+        "and how states change.");
+    v.choice("wall_friction", wall_friction,
+             "What water feels of the walls it runs along; sediment always sticks to walls.");
+    v.choice("effective_pressure", effective_pressure, "What presses the sediment's grains together.");
+    v.choice("yield", yield, "When the sediment yields.");
+    v.choice("yield_fit", yield_fit,
+             "How the friction angle becomes the pressure coefficient of the Drucker-Prager yield stress.");
+    v.choice("rheology", rheology, "How yielded sediment flows.");
+    v.choice("bed_shear", bed_shear, "How the water's shear stress on the bed is found (three-state).");
+    v.flag("rest", rest,
+           "Sediment that has been below yield for a while, with nothing moving about it, stops exactly and costs next "
+           "to nothing until something wakes it.");
+    v.choice("seepage", seepage, "Whether water moves through the bed (docs/theory.md).");
+    v.choice("pore_pressure", pore_pressure, "Excess pore pressure in a bed of one fluid (docs/theory.md).");
+  }
+
+  /// implementation = "paper" sets the defaults of other keys.
+  void set_defaults(const GivenWords& given);
+  void check(const Case& whole, const CheckContext& at) const;
+  static void explain_further(std::ostream& to, std::string_view key);
+};
+
+}  // namespace thalweg

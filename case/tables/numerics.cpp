@@ -1,0 +1,55 @@
+#include "case/tables/numerics.hpp"
+
+#include <fmt/format.h>
+
+#include "case/case.hpp"
+#include "case/check_context.hpp"
+#include "case/tables/given_words.hpp"
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+namespace thalweg {
+
+Numerics numerics_at(Accuracy accuracy) {
+  Numerics numerics;
+  numerics.accuracy = accuracy;
+  switch (accuracy) {
+    case Accuracy::draft:
+      numerics.cfl = 0.7;
+      numerics.sound_speed_factor = 7;
+      break;
+    case Accuracy::standard:
+      break;
+    case Accuracy::fine:
+      numerics.sound_speed_factor = 20;
+      break;
+  }
+  return numerics;
+}
+
+void Numerics::set_defaults(const GivenWords& given) {
+  const std::string where = given.where("numerics.accuracy");
+  if (given.resolved && where.starts_with("--set ")) {
+    throw InputError(where +
+                     ": numerics.accuracy sets defaults, and a resolved case has none left; fill the scene again: "
+                     "thalweg gencase CASE --set numerics.accuracy=...");
+  }
+  if (const auto level = given.choice<Accuracy>("numerics.accuracy")) *this = numerics_at(*level);
+}
+
+void Numerics::check(const Case& whole, const CheckContext& at) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double extent = whole.domain.to[axis] - whole.domain.from[axis];
+    if (!at.uses(axis) || spacing <= extent) continue;
+    at.reject("numerics.spacing",
+              fmt::format("numerics.spacing = {} is larger than the domain in {} ({})", format_quantity(spacing, "m"),
+                          axis_name(axis), format_quantity(extent, "m")),
+              "reduce it");
+  }
+  if (maximum_speed == 0 && whole.domain.gravity.isZero(0)) {
+    at.reject("numerics.maximum_speed", "without gravity the largest speed cannot be estimated",
+              "give numerics.maximum_speed");
+  }
+}
+
+}  // namespace thalweg

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+
+#include "case/models/two_pass.hpp"
+#include "case/tables/table.hpp"
+#include "physics/water/viscosity_treatment.hpp"
+
+namespace thalweg {
+
+/// The precision of the sums over pairs; that of what is kept of a particle is the same in both.
+enum class Precision { single_sums, double_sums };
+
+inline constexpr std::array<Choice<Precision>, 2> choices(Precision) {
+  return {{{Precision::single_sums, "single", "32 bits; distances are exact first"},
+           {Precision::double_sums, "double",
+            "64 bits, on CPU cores only: to see what single precision costs in accuracy and gains in time"}}};
+}
+
+/// A level of accuracy. It sets the defaults of other keys of the table: numerics_at().
+enum class Accuracy { draft, standard, fine };
+
+inline constexpr std::array<Choice<Accuracy>, 3> choices(Accuracy) {
+  return {{{Accuracy::draft, "draft", "cfl = 0.7, sound_speed_factor = 7"},
+           {Accuracy::standard, "standard", "the defaults of this table"},
+           {Accuracy::fine, "fine", "sound_speed_factor = 20"}}};
+}
+
+inline constexpr std::array<Choice<ViscosityTreatment>, 3> choices(ViscosityTreatment) {
+  return {{{ViscosityTreatment::implicit, "implicit", "solved for at the end of the step"},
+           {ViscosityTreatment::explicit_steps, "explicit", "explicit, with steps 50 to 400 times shorter"},
+           {ViscosityTreatment::capped, "capped",
+            "explicit, the viscosity cut to what the acoustic step can take: the bed creeps"}}};
+}
+
+/// [numerics]: discretisation and time steps.
+struct Numerics {
+  static constexpr TableHeading heading{"numerics", "How it is computed."};
+
+  Accuracy accuracy = Accuracy::standard;
+  double spacing = required;           // [m]
+  double smoothing_ratio = 1.5;        // [-] h / spacing
+  double sound_speed_factor = 10;      // [-]
+  double maximum_speed = 0;            // [m/s]; 0: 2 sqrt(g H)
+  double cfl = 0.5;                    // [-]
+  double density_diffusion = 0.1;      // [-]
+  double artificial_viscosity = 0.02;  // [-]
+  ViscosityTreatment viscosity = ViscosityTreatment::implicit;
+  double viscous_tolerance = 1e-3;  // [-]
+  int viscous_iterations = 1000;
+  double list_skin = 0.15;       // [-]
+  double excluded_limit = 1e-3;  // [-]
+  Precision precision = Precision::single_sums;
+  Integrator integrator = Integrator::leapfrog;
+
+  template <class V>
+  void describe(V& v) {
+    v.choice("accuracy", accuracy,
+             "Sets the defaults of other keys of this table; what each level costs and gives is measured in "
+             "docs/speed-against-error.md. The spacing decides more than any of them.");
+    v.quantity("spacing", spacing, "m", 1e-6, 100, "Distance of the particles at the start (dp).");
+    v.number("smoothing_ratio", smoothing_ratio, 1.1, 3,
+             "Smoothing length over spacing; 1.3 is no cheaper in the plane than 1.5, and less exact "
+             "(docs/speed-against-error.md).");
+    v.number("sound_speed_factor", sound_speed_factor, 5, 100,
+             "Sound speed over maximum_speed; 10 keeps density within 1 %.");
+    v.quantity("maximum_speed", maximum_speed, "m/s", 0, 1000,
+               "Largest speed expected, from which the sound speed follows; 0: 2 sqrt(g H), H the height of the fluid "
+               "at the start.");
+    v.number(
+        "cfl", cfl, 0.01, 100,
+        "Courant number of the acoustic and force time steps; errors do not depend on it up to 1.0 "
+        "(docs/speed-against-error.md), but near 0.7 splashes begin to gain energy; at 2 a run diverges and says so.");
+    v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
+    v.number("artificial_viscosity", artificial_viscosity, 0, 1,
+             "Alpha of the artificial viscosity between approaching particles of one phase.");
+    v.choice("viscosity", viscosity, "How the viscosity of the sediment is advanced in time.");
+    v.number("viscous_tolerance", viscous_tolerance, 1e-8, 0.1,
+             "Residual at which the implicit viscosity stops, over the momentum one step of gravity gives.");
+    v.integer("viscous_iterations", viscous_iterations, 1, 1000000,
+              "Iterations after which the implicit viscosity tries again with less, and in the end stops the run.");
+    v.number("list_skin", list_skin, 0, 1,
+             "Reach of the neighbour list beyond the kernel's support, over the support.");
+    v.number("excluded_limit", excluded_limit, 0, 1,
+             "Share of the fluid particles that may leave the domain before the run stops with an error.");
+    v.choice("precision", precision, "Precision in which a particle's sums over its neighbours are computed.");
+    v.choice("integrator", integrator, "How a step in time is made.");
+  }
+
+  /// A level of accuracy sets the defaults of other keys. Throws InputError when it is asked of a resolved case.
+  void set_defaults(const GivenWords& given);
+  void check(const Case& whole, const CheckContext& at) const;
+};
+
+/// The defaults of the numerics at a level of accuracy.
+Numerics numerics_at(Accuracy accuracy);
+
+}  // namespace thalweg

@@ -1,0 +1,36 @@
+#include "case/tables/sediment.hpp"
+
+#include "case/case.hpp"
+#include "case/check_context.hpp"
+#include "case/tables/given_words.hpp"
+
+namespace thalweg {
+
+void SedimentMaterial::set_defaults(const GivenWords& given) {
+  switch (given.choice<Implementation>("model.implementation").value_or(Implementation::consistent)) {
+    case Implementation::consistent:
+      return;
+    case Implementation::paper:
+      consistency = 1.54;  // [Pa s^n] 0.001 m^2/s times the paper's 1540 kg/m^3
+      flow_index = 1.8;
+      return;
+  }
+}
+
+void SedimentMaterial::check(const Case& whole, const CheckContext& at) const {
+  if (dense_concentration < dilute_concentration) {
+    at.reject(at.key("dense_concentration"), at.key("dense_concentration") + " is below dilute_concentration",
+              "give at least as much, so that grains do not change to and fro");
+  }
+  switch (whole.model.rheology) {
+    case Rheology::herschel_bulkley:
+      return;
+    case Rheology::mu_of_i:
+      if (dynamic_friction_angle > friction_angle) return;
+      at.reject(at.key("dynamic_friction_angle"),
+                at.key("dynamic_friction_angle") + " is not above friction_angle, and rheology is \"mu-of-i\"",
+                "give the friction angle of a fast flow, some 12 deg above");
+  }
+}
+
+}  // namespace thalweg

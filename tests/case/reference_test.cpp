@@ -1,0 +1,55 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/case/case_files.hpp"
+
+namespace thalweg {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string explained(const std::string& key) {
+  std::ostringstream text;
+  explain(text, key);
+  return text.str();
+}
+
+TEST(Explain, FindsKeysHoweverTheyAreNamed) {
+  const std::string expected =
+      "numerics.spacing\n  m, 1 um to 100 m; required\n  Distance of the particles at the start (dp).\n";
+  EXPECT_EQ(explained("numerics.spacing"), expected);
+  EXPECT_EQ(explained("spacing"), expected);
+  EXPECT_THAT(explained("numerics"), HasSubstr(expected));
+  EXPECT_THAT(explained(""), HasSubstr(expected));
+  EXPECT_THAT(explained("materials.pvc.porosity"), HasSubstr("materials.<sediment>.porosity\n"));
+  EXPECT_THAT(explained("shape.kind"), HasSubstr("\"difference\": the first shape of `of` without the others"));
+  try {
+    explained("spacng");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "explain: there is no key or table spacng; did you mean spacing?");
+  }
+}
+
+TEST(Explain, SetsTheTwoReadingsOfTheModelSideBySide) {
+  const std::string text = explained("sediment");
+  EXPECT_THAT(text, HasSubstr("model.sediment\n"));
+  EXPECT_THAT(text,
+              HasSubstr("  bed load to deposit\n    paper:      none: bed load never consolidates\n    consistent: "));
+  EXPECT_EQ(explained("spacing").find("consistent:"), std::string::npos);
+}
+
+// The two files are generated; `cmake --build <build> --target docs` writes them anew.
+TEST(Documentation, IsWhatTheDeclarationsSay) {
+  std::ostringstream markdown;
+  write_key_reference(markdown);
+  EXPECT_EQ(text_of(source / "docs/case-file.md"), markdown.str()) << "build the target `docs`";
+  std::ostringstream schema;
+  write_key_schema(schema);
+  EXPECT_EQ(text_of(source / "docs/case-file.schema.json"), schema.str()) << "build the target `docs`";
+}
+
+}  // namespace
+}  // namespace thalweg
