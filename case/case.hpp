@@ -37,7 +37,7 @@ struct Case {
   std::vector<Motion> motions;
   GencaseParameters gencase;
   WaterParameters water;
-  std::map<std::string, SedimentMaterial> sediments;  // by their names
+  std::map<std::string, SedimentTable> sediments;  // by their names
   Model model;
   Numerics numerics;
   Output output;

@@ -6,7 +6,7 @@
 
 namespace thalweg {
 
-void SedimentMaterial::set_defaults(const GivenWords& given) {
+void SedimentTable::set_defaults(const GivenWords& given) {
   switch (given.choice<Implementation>("model.implementation").value_or(Implementation::consistent)) {
     case Implementation::consistent:
       return;
@@ -17,7 +17,7 @@ void SedimentMaterial::set_defaults(const GivenWords& given) {
   }
 }
 
-void SedimentMaterial::check(const Case& whole, const CheckContext& at) const {
+void SedimentTable::check(const Case& whole, const CheckContext& at) const {
   if (dense_concentration < dilute_concentration) {
     at.reject(at.key("dense_concentration"), at.key("dense_concentration") + " is below dilute_concentration",
               "give at least as much, so that grains do not change to and fro");

@@ -6,12 +6,12 @@
 namespace thalweg {
 
 /// [materials.<sediment>]: the keys are those of its laws.
-struct SedimentMaterial : SedimentParameters {
+struct SedimentTable : SedimentParameters {
   static constexpr TableHeading heading{"materials.<sediment>",
                                         "A sediment, under the name by which shapes refer to it."};
 
-  SedimentMaterial() = default;
-  SedimentMaterial(const SedimentParameters& parameters) : SedimentParameters(parameters) {}
+  SedimentTable() = default;
+  SedimentTable(const SedimentParameters& parameters) : SedimentParameters(parameters) {}
 
   /// model.implementation = "paper" sets the defaults of consistency and flow index.
   void set_defaults(const GivenWords& given);

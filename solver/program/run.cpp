@@ -211,8 +211,7 @@ class Run {
         read_gauges_now();
         next_gauges_ = gauge_time_after(clock_.time);
       }
-      constexpr double checkpoint_seconds = 120;
-      if (seconds_now() - last_checkpoint_ > checkpoint_seconds) write_checkpoint();
+      if (seconds_now() - last_checkpoint_ > case_.output.checkpoint_interval) write_checkpoint();
       progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
     });
   }

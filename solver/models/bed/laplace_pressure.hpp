@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "physics/sediment/surface_fill.hpp"
 #include "solver/models/bed/arrays.hpp"
 #include "solver/models/bed/scene.hpp"
 #include "solver/models/implicit/viscous_system.hpp"
@@ -28,13 +29,6 @@ inline constexpr int most_sweeps = 1000;
 /// Entries of field::laplace_pressure.
 inline constexpr int pressure = 0;  // [Pa]
 inline constexpr int in_top_layer = 1;
-
-/// Share of its neighbourhood that sediment and walls fill, below which a particle is in the top layer: 0.75 for the
-/// top layer of a lattice with h = 1.5 dp and 0.99 for the next, 0.68 and 0.92 with h = 2.1 dp.
-template <int Dim>
-float full_share(const Scene<Dim>& scene) {
-  return scene.smoothing_length <= 1.5 * scene.spacing ? 0.85F : 0.81F;
-}
 
 /// Pair sweep: marks the sediment of the top layer.
 template <int Dim>
@@ -168,6 +162,7 @@ int solve_laplace_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
   const SedimentScene& law = scene.sediment;
   Vec<Dim, float> submerged_weight{};
   submerged_weight.vertical() = -law.submerged_weight;
+  const float top_fill = surface_fill(scene.smoothing_length, scene.spacing, widest_narrow_kernel_of_laplace);
   const auto top_pressure = law.submerged_weight * static_cast<float>(scene.spacing);
   const WallSweep<Dim> at_walls{sediment, scene, submerged_weight};
   const JacobiSweep<Dim> in_the_bed{records, sediment, scene, top_pressure};
@@ -176,7 +171,7 @@ int solve_laplace_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
                 for (float& w : records[i].work) w = 0;
                 records[i].work[pressure] = sediment[i].effective_pressure;
               }));
-  sweep(on, p, scene, p.near_sediment(), TopLayerSweep<Dim>{records, scene, full_share(scene)});
+  sweep(on, p, scene, p.near_sediment(), TopLayerSweep<Dim>{records, scene, top_fill});
   int sweeps = 0;
   float change = INFINITY;
   while (change > law.laplace_tolerance && sweeps < most_sweeps) {

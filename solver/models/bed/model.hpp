@@ -7,6 +7,8 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 /// What the bed model keeps between steps.
 template <class Device>
 struct BedWork {
@@ -23,6 +25,10 @@ struct BedModel {
   template <class Device>
   using Work = BedWork<Device>;
   static constexpr const char* heading = "weigh_sediment";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

@@ -10,6 +10,8 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 /// What the viscous part keeps between steps.
 template <class Device>
 struct ViscousWork {
@@ -30,6 +32,10 @@ struct ViscosityModel {
   template <class Device>
   using Work = ViscousWork<Device>;
   static constexpr const char* heading = "solve_viscosity";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

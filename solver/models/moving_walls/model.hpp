@@ -6,6 +6,8 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 /// What moving walls keep between steps; all of it on the host.
 template <class Device>
 struct MovingWallsWork {
@@ -24,6 +26,10 @@ struct MovingWallsModel {
   template <class Device>
   using Work = MovingWallsWork<Device>;
   static constexpr const char* heading = "move_walls";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

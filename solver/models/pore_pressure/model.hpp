@@ -6,6 +6,8 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 template <class Device>
 struct PorePressureWork {
   PoreDiffusion<Device> pore_diffusion;
@@ -24,6 +26,10 @@ struct PoreModel {
   template <class Device>
   using Work = PorePressureWork<Device>;
   static constexpr const char* heading = "advance_pore_pressure";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

@@ -5,6 +5,8 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 /// Deposits that come to rest and cost next to nothing until something wakes them.
 struct RestModel {
   template <int Dim>
@@ -12,6 +14,10 @@ struct RestModel {
   template <class Device>
   using Arrays = RestArrays<Device>;
   static constexpr const char* heading = "update_rest";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

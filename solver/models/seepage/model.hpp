@@ -9,12 +9,18 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 /// Grains and pore water as two sets of particles in the same places. Its passes take the place of the water's.
 struct MixtureModel {
   template <int Dim>
   using Parameters = SeepageScene<Dim>;
   template <class Device>
   using Arrays = SeepageArrays<Device>;
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

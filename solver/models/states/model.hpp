@@ -5,6 +5,8 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 /// Sediment in three states: deposit, bed load, suspended.
 struct StatesModel {
   template <int Dim>
@@ -12,6 +14,10 @@ struct StatesModel {
   template <class Device>
   using Arrays = StatesArrays<Device>;
   static constexpr const char* heading = "update_bed_states";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

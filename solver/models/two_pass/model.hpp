@@ -9,6 +9,8 @@
 
 namespace thalweg {
 
+struct SceneSource;
+
 template <class Device>
 struct TwoPassWork {
   typename Device::template Buffer<StepStart> start;  // of the particles; empty unless scene.two_pass
@@ -21,6 +23,10 @@ struct TwoPassModel {
   template <class Device>
   using Work = TwoPassWork<Device>;
   static constexpr const char* heading = "drift";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
 
   template <class Scene>
   static constexpr bool is_on(const Scene& scene) {

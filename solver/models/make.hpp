@@ -1,0 +1,18 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "common/particles.hpp"
+
+// From a case to the constants of the models. Each model has a make.cpp beside it with
+//   template <int Dim> void Model::make(const SceneSource& from, Scene<Dim>& scene)
+// which fills its own members of the scene. Models are made in the order of their list (models/all.hpp).
+namespace thalweg {
+
+/// What a scene is made from.
+struct SceneSource {
+  const Case& of;
+  const ParticleSet& particles;  // as filled; bounds and counts depend on them
+  double sound_speed = 0;        // [m/s]
+};
+
+}  // namespace thalweg
