@@ -4,31 +4,10 @@
 #include <type_traits>
 
 #include "solver/domain/population.hpp"
-#include "solver/models/bed/model.hpp"
-#include "solver/models/implicit/model.hpp"
-#include "solver/models/moving_walls/model.hpp"
-#include "solver/models/pore_pressure/model.hpp"
-#include "solver/models/rest/model.hpp"
-#include "solver/models/seepage/model.hpp"
-#include "solver/models/stages.hpp"
-#include "solver/models/states/model.hpp"
-#include "solver/models/two_pass/model.hpp"
+#include "solver/models/list.hpp"
 
-// The models that a solver has, and what a scene, the particles and the step are made of because of them. A model may
-// bring
-//
-//   Parameters<Dim>     a struct of constants; Scene has its members
-//   Arrays<Device>      particle arrays and their describe(); Particles has its members
-//   Work<Device>        what it keeps between steps; Workspace has its members
-//   is_on(scene)        whether a scene uses it; nothing of the above costs anything where it does not
-//   heading             its line in the timing report
-//   stages              functions named in models/stages.hpp
-//   limit_step, varies  models/stages.hpp, ModelList
+// A scene, the particles and the step's workspace, made of what every model brings (models/list.hpp).
 namespace thalweg {
-
-/// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
-                            StatesModel, RestModel>;
 
 /// Stands for what a model does not bring.
 template <class Model>

@@ -6,8 +6,8 @@
 //
 //   template <class Visitor>
 //   void describe(Visitor& v) {
-//     v.array(field::tracer, tracer, sorted | checkpointed | halo, 0.0F);        // newborn particles have 0
-//     v.shown("Tracer", tracer);                                                 // an array of floats, in snapshots
+//     v.array(field::age, age, sorted | checkpointed | halo, 0.0F);              // newborn particles have 0
+//     v.shown("Age", age);                                                       // an array of floats, in snapshots
 //     v.shown("StrainRate", sediment, &Sediment::strain_rate);                   // one number of a struct
 //     v.shown_kind("Resting", [](float kind) { … });                             // a number that the kind decides
 //   }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "solver/models/bed/model.hpp"
+#include "solver/models/implicit/model.hpp"
+#include "solver/models/moving_walls/model.hpp"
+#include "solver/models/pore_pressure/model.hpp"
+#include "solver/models/rest/model.hpp"
+#include "solver/models/seepage/model.hpp"
+#include "solver/models/stages.hpp"
+#include "solver/models/states/model.hpp"
+#include "solver/models/two_pass/model.hpp"
+#include "tests/template_model/tracer/model.hpp"
+
+// Stands for solver/models/list.hpp in the test of the template model: the same list and one line more. The build puts
+// this folder before the repository's root on the include path.
+namespace thalweg {
+
+/// The list. Within a stage models run in this order.
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel,
+              TracerModel>;
+
+}  // namespace thalweg
