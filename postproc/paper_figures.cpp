@@ -368,13 +368,13 @@ void PaperSet::scour_against_time() {
   CsvTable table({{"source", ""}, {"time", "s"}, {"scour", "m"}, {"scour_at", "m"}});
   table.comments.emplace_back(
       "deepest place of the bed below the run's bed at the start, from the profiles of each source");
-  const fs::path all = input_.run.profiles() / "all";
+  std::vector<TimedProfile> all;  // of the run
+  for (const SnapshotProfile& snapshot : input_.extraction.along_x) all.push_back(snapshot.get());
   std::vector<std::string> lines;
   int marker = 4;
   for (const ProfileSet& set : input_.sets) {
-    const bool dense = set.kind == SourceKind::run && holds_profiles(all);
-    const std::vector<TimedProfile> profiles =
-        dense ? read_profile_set(all, set.label, set.kind).profiles : set.profiles;
+    const bool dense = set.kind == SourceKind::run;
+    const std::vector<TimedProfile> profiles = dense ? all : set.profiles;
     bool any = false;
     for (const TimedProfile& timed : profiles) {
       if (timed.profile.bed.empty()) continue;

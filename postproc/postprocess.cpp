@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "case/reader/case_file.hpp"
@@ -91,18 +92,20 @@ void add_measurements(const Case& resolved, ReportInput& input) {
 
 constexpr const char* run_label = "Thalweg SPH";
 
-// The sources' profiles along a line, of the run those at the times it is compared at.
-std::vector<ProfileSet> sets_along(const std::string& line, const ReportInput& input) {
-  std::vector<ProfileSet> sets;
-  for (const ProfileSet& source : input.sets) {
-    std::optional<ProfileSet> set = read_line_set(source, line);
-    if (!set) continue;
-    if (source.kind == SourceKind::run) {
-      std::erase_if(set->profiles, [&](const TimedProfile& timed) { return source.at(timed.time) == nullptr; });
-    }
-    sets.push_back(std::move(*set));
+// A source's profiles along a line. Of the run itself: those at the times it is compared at, and the one at 0 s.
+std::optional<ProfileSet> set_along(const std::string& line, const ProfileSet& source,
+                                    const ExtractionRun& extraction) {
+  if (source.kind != SourceKind::run) return read_line_set(source, line);
+  const auto found = extraction.along_lines.find(line);
+  if (found == extraction.along_lines.end()) return std::nullopt;
+  ProfileSet set{source.label, source.kind, source.origin / line, {}, {}, line};
+  for (const SnapshotProfile& snapshot : found->second) {
+    const bool is_initial = !set.initial && std::abs(snapshot.time) <= same_time;
+    const bool is_compared = source.at(snapshot.time) != nullptr;
+    if (is_initial) set.initial = snapshot.get();
+    if (is_compared) set.profiles.push_back(snapshot.get());
   }
-  return sets;
+  return set;
 }
 
 // What runs that should agree differ by: as measured for the case, or of the runs given.
@@ -119,7 +122,8 @@ std::vector<Scatter> scatter_of_run(const ReportInput& input, const std::string&
   if (line.empty()) return scatter_of(repeated);
   std::vector<ProfileSet> along;
   for (const ProfileSet& set : repeated) {
-    if (std::optional<ProfileSet> of_line = read_line_set(set, line)) along.push_back(std::move(*of_line));
+    std::optional<ProfileSet> of_line = set_along(line, set, input.extraction);
+    if (of_line) along.push_back(std::move(*of_line));
   }
   return scatter_of(along);
 }
@@ -143,7 +147,11 @@ void compare_sources(ReportInput& input, const std::vector<ProfileLine>& further
   std::vector<ProfileLine> lines = input.resolved.lines;
   lines.insert(lines.end(), further_lines.begin(), further_lines.end());
   for (const ProfileLine& line : lines) {
-    const std::vector<ProfileSet> sets = sets_along(line.name, input);
+    std::vector<ProfileSet> sets;
+    for (const ProfileSet& source : input.sets) {
+      std::optional<ProfileSet> set = set_along(line.name, source, input.extraction);
+      if (set) sets.push_back(std::move(*set));
+    }
     Comparison along = compare_all(sets, range);
     add_scatter(along, run_label, scatter_of_run(input, line.name, repeats));
     if (sets.size() < 2) along.remarks.push_back("line " + line.name + ": only the run has profiles along it");

@@ -17,13 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<TimedProfile> profiles_of(const ReportInput& input) {
-  const fs::path all = input.run.profiles() / "all";
-  if (holds_profiles(all)) return read_profile_set(all, "", SourceKind::run).profiles;
-  std::vector<TimedProfile> profiles = input.extraction.written;
-  const std::optional<TimedProfile>& initial = input.extraction.initial;
-  if (initial && !profiles.empty() && initial->time + same_time < profiles.front().time) {
-    profiles.insert(profiles.begin(), *initial);
-  }
+  std::vector<TimedProfile> profiles;
+  for (const SnapshotProfile& snapshot : input.extraction.along_x) profiles.push_back(snapshot.get());
   return profiles;
 }
 

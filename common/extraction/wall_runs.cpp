@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "common/extraction/volume_fraction.hpp"
+#include "common/extraction/parts.hpp"
 
 namespace thalweg {
 namespace {

@@ -11,7 +11,7 @@
 #include "postproc/figures.hpp"
 #include "postproc/gnuplot.hpp"
 #include "postproc/run_records.hpp"
-#include "postproc/snapshot_measures.hpp"
+#include "postproc/measure_settings.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
 namespace thalweg {

@@ -39,7 +39,7 @@ struct Made {
 Made surfaces_of(const ParticleSet& set) {
   const CellList cells(set.position, cell_edge(set.info));
   Made made;
-  made.field = make_surface_field(set, cells, {});
+  made.field = make_surface_field({set, ExtractionSettings{}.rest_speed}, cells, {});
   made.map = level_map(*made.field);
   made.surfaces = make_surfaces(set, cells, *made.field, made.map);
   return made;
@@ -326,7 +326,7 @@ TEST(Surfaces, CarryVelocityAndTheChangeOfTheBed) {
   const Made before = surfaces_of(flume_with([](double) { return 0.06; }));
   const ParticleSet set = flume_with(hole);
   const CellList cells(set.position, cell_edge(set.info));
-  const auto field = make_surface_field(set, cells, {});
+  const auto field = make_surface_field({set, ExtractionSettings{}.rest_speed}, cells, {});
   const std::vector<Surface> surfaces = make_surfaces(set, cells, *field, before.map);
   vtkPolyData* bed = surfaces[1].data;
   vtkDataArray* change = bed->GetPointData()->GetArray("BedLevelChange");
