@@ -1,6 +1,7 @@
 #include "common/extraction/volume_fraction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -23,12 +24,14 @@ IndexRange indices_within(double coordinate, double reach, double step, long ori
   return {clip(std::ceil((coordinate - reach) / step)), clip(std::floor((coordinate + reach) / step) + 1)};
 }
 
-// One particle's shares along a column: `height` [m] of node 0 over the particle, `aside2` [m^2] squared distance of
-// the column. Without a branch, for the compiler to take several nodes at a time.
+// Adds one particle's shares along a column: `height` [m] of node 0 over the particle, `aside2` [m^2] squared distance
+// of the column. The loop has no branch and counts in int, which is a float in one instruction, so that the compiler
+// takes several nodes at a time; nodes out of reach get 0.
 template <class Kernel>
 void add_along_column(float* nodes, IndexRange rows, const Kernel& kernel, float volume, float height, float step,
                       float aside2) {
-  for (std::size_t k = rows.begin; k < rows.end; ++k) {
+  const int end = static_cast<int>(rows.end);
+  for (int k = static_cast<int>(rows.begin); k < end; ++k) {
     const float dz = height + step * static_cast<float>(k);
     nodes[k] += volume * kernel.value(kernel.closeness(std::sqrt(aside2 + dz * dz)));
   }
@@ -51,48 +54,58 @@ class Scatter {
   void add(std::size_t b, std::size_t first_column, std::size_t last_column) {
     const SamplingGrid& grid = sums_.grid;
     const Vec3& at = particles_.position[b];
-    const IndexRange across = indices_within(at.x(), reach_, grid.step, grid.first_x, first_column, last_column);
     const bool plane = grid.is_plane();
     if (Dim == 3 && plane && std::abs(grid.plane_y - at.y()) > reach_) return;
+    const IndexRange across = indices_within(at.x(), reach_, grid.step, grid.first_x, first_column, last_column);
     const IndexRange along =
         plane ? IndexRange{0, 1} : indices_within(at.y(), reach_, grid.step, grid.first_y, 0, grid.ny);
-    for (std::size_t i = across.begin; i < across.end; ++i) {
-      const double dx = grid.x(i) - at.x();
-      for (std::size_t j = along.begin; j < along.end; ++j) {
-        const double dy = Dim == 2 ? 0 : grid.y(j) - at.y();
-        add_to_column(b, grid.column(i, j), dx * dx + dy * dy);
+    const IndexRange rows = indices_within(at.z(), reach_, grid.step, grid.first_z, 0, grid.nz);
+    for (const Target& target : targets_of(b, rows)) {
+      if (target.rows.begin >= target.rows.end) continue;
+      for (std::size_t i = across.begin; i < across.end; ++i) {
+        const double dx = grid.x(i) - at.x();
+        for (std::size_t j = along.begin; j < along.end; ++j) {
+          const double dy = Dim == 2 ? 0 : grid.y(j) - at.y();
+          add_to_column(b, target, grid.column(i, j), dx * dx + dy * dy);
+        }
       }
     }
   }
 
  private:
-  void add_to_column(std::size_t b, std::size_t column, double aside2) {
-    const double left = reach_ * reach_ - aside2;
-    if (left <= 0) return;
-    const SamplingGrid& grid = sums_.grid;
-    const double z = particles_.position[b].z();
-    const IndexRange rows = indices_within(z, std::sqrt(left), grid.step, grid.first_z, 0, grid.nz);
-    const std::size_t base = grid.node(column, 0);
-    const auto add = [&](std::vector<float>& field, IndexRange range) {
-      add_along_column(&field[base], range, kernel_, volume_of(b), static_cast<float>(grid.z(0) - z),
-                       static_cast<float>(grid.step), static_cast<float>(aside2));
+  // A sum to which a particle contributes, and at which rows.
+  struct Target {
+    std::vector<float>& sum;
+    IndexRange rows;
+  };
+
+  [[nodiscard]] std::array<Target, 2> targets_of(std::size_t b, IndexRange rows) {
+    const auto all_in = [&](std::vector<float>& sum) {
+      return std::array{Target{sum, rows}, Target{sum, {rows.end, rows.end}}};
     };
     switch (parts_[b]) {
       case Part::water:
-        return add(sums_.fluid, rows);
+        return all_in(sums_.fluid);
       case Part::moving_sediment:
-        return add(sums_.sediment, rows);
+        return all_in(sums_.sediment);
       case Part::resting_sediment:
-        return add(sums_.resting, rows);
-      case Part::wall: {
-        // A node exactly a spacing below the face belongs to the floor, whichever way its height was rounded.
-        const double depth = 1.01 * particles_.info.spacing;
-        std::size_t floor_from = rows.begin;
-        while (floor_from < rows.end && walls_.top[b] > grid.z(floor_from) + depth) ++floor_from;
-        add(sums_.side, {rows.begin, floor_from});
-        add(sums_.floor, {floor_from, rows.end});
-      }
+        return all_in(sums_.resting);
+      case Part::wall:
+        break;
     }
+    // A node exactly a spacing below the face belongs to the floor, whichever way its height was rounded.
+    const double depth = 1.01 * particles_.info.spacing;
+    std::size_t floor_from = rows.begin;
+    while (floor_from < rows.end && walls_.top[b] > sums_.grid.z(floor_from) + depth) ++floor_from;
+    return {Target{sums_.side, {rows.begin, floor_from}}, Target{sums_.floor, {floor_from, rows.end}}};
+  }
+
+  void add_to_column(std::size_t b, const Target& target, std::size_t column, double aside2) {
+    if (aside2 >= reach_ * reach_) return;
+    const SamplingGrid& grid = sums_.grid;
+    add_along_column(&target.sum[grid.node(column, 0)], target.rows, kernel_, volume_of(b),
+                     static_cast<float>(grid.z(0) - particles_.position[b].z()), static_cast<float>(grid.step),
+                     static_cast<float>(aside2));
   }
 
   // The volume of a wall particle is its lattice cell: mass and density of dummy particles mean something else.
@@ -123,17 +136,6 @@ void add_all(VolumeFractions& sums, const ClassifiedParticles& set, std::span<co
 VolumeFractions::VolumeFractions(const SamplingGrid& nodes) : grid(nodes) {
   for (auto* field : {&fluid, &sediment, &resting, &floor, &side}) field->assign(grid.size(), 0);
 }
-
-double VolumeFractions::open_share(std::size_t node) const {
-  constexpr double least = 0.25;  // reached only inside walls, where nothing is evaluated
-  return std::max(1 - double{side[node]}, least);
-}
-
-double VolumeFractions::with_walls(const std::vector<float>& phase, std::size_t node) const {
-  return (double{phase[node]} + double{floor[node]}) / open_share(node);
-}
-
-double VolumeFractions::wall_share(std::size_t node) const { return std::max(double{side[node]}, floor_alone(node)); }
 
 void add_volume_fractions(VolumeFractions& sums, const ClassifiedParticles& set, std::span<const std::size_t> which,
                           std::size_t first_column, std::size_t last_column) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,11 +25,13 @@ struct VolumeFractions {
   std::vector<float> side;
 
   /// Fraction of a phase at a node, corrected for the walls in reach: (phase + floor) / (1 - side).
-  [[nodiscard]] double with_walls(const std::vector<float>& phase, std::size_t node) const;
+  [[nodiscard]] double with_walls(const std::vector<float>& phase, std::size_t node) const {
+    return (double{phase[node]} + double{floor[node]}) / open_share(node);
+  }
   /// The same without any phase: 1/2 on the face of a floor.
   [[nodiscard]] double floor_alone(std::size_t node) const { return double{floor[node]} / open_share(node); }
   /// Share of a node's reach that lies in a wall: 1/2 on a wall's face, 1 inside.
-  [[nodiscard]] double wall_share(std::size_t node) const;
+  [[nodiscard]] double wall_share(std::size_t node) const { return std::max(double{side[node]}, floor_alone(node)); }
   /// True inside a wall. A node on a wall's face has half of its reach in the wall and still counts as open, also where
   /// floor and side wall meet.
   [[nodiscard]] bool in_wall(std::size_t node) const { return wall_share(node) > most_open_share; }
@@ -36,7 +39,10 @@ struct VolumeFractions {
   static constexpr double most_open_share = 0.55;
 
  private:
-  [[nodiscard]] double open_share(std::size_t node) const;
+  [[nodiscard]] double open_share(std::size_t node) const {
+    constexpr double least = 0.25;  // reached only inside walls, where nothing is evaluated
+    return std::max(1 - double{side[node]}, least);
+  }
 };
 
 /// Adds the particles named by `which` at the nodes with first_column <= i < last_column along x. Ranges of columns

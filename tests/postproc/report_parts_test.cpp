@@ -10,8 +10,8 @@
 #include "postproc/extraction_run.hpp"
 #include "postproc/figures.hpp"
 #include "postproc/gnuplot.hpp"
-#include "postproc/run_records.hpp"
 #include "postproc/measure_settings.hpp"
+#include "postproc/run_records.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
 namespace thalweg {
