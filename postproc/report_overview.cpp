@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "postproc/embedded.hpp"
-#include "postproc/figures.hpp"
+#include "postproc/figures/figure_writer.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
 
