@@ -47,7 +47,7 @@ std::optional<CurveError> compare_curve(const Profile& reference, const Profile&
   error.curve = curve.name;
   error.rmse = std::sqrt(squares / count);
   error.bias = sum / count;
-  // A curve this level has no height of its own to measure an error by.
+  // A level curve has no range of heights to normalise by.
   error.normalised_rmse = high - low > 1e-9 ? error.rmse / (high - low) : std::numeric_limits<double>::quiet_NaN();
   return error;
 }
@@ -67,7 +67,7 @@ double brier_skill(const Profile& initial, const Profile& reference, const Profi
     change += std::pow(*before - reference.bed[i], 2);
     ++points;
   }
-  constexpr double least_change = 1e-6;  // [m] root mean square, below what any extraction resolves
+  constexpr double least_change = 1e-6;  // [m] root mean square; no extraction resolves less
   if (points == 0 || std::sqrt(change / points) < least_change) return Profile::missing;
   return 1 - error / change;
 }

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The series of the surfaces that are there.
+// Writes the series of the surfaces that exist, and removes a series without surfaces.
 void write_surface_series(const RunFolder& run, const std::vector<MeasuredSnapshot>& done,
                           const MeasureSettings& settings) {
   for (const SurfaceKind kind : surface_kinds) {

@@ -96,7 +96,7 @@ bool MeasurePass::has_results(const MeasuredSnapshot& snapshot) const {
   return std::all_of(paths.begin(), paths.end(), [](const fs::path& path) { return fs::exists(path); });
 }
 
-// Results of an earlier pass, perhaps at other times, would be taken for results of this one.
+// Removes all other results: those of an earlier pass, perhaps at other times, would look like results of this one.
 void MeasurePass::remove_others() const {
   std::set<fs::path> kept;
   std::set<std::string> stems;
@@ -120,8 +120,8 @@ void MeasurePass::remove_others() const {
   for (const fs::path& file : old) fs::remove(file);
 }
 
-// Takes the heights from which the bed's change counts from the first snapshot that can be read, which is measured on
-// the way. False if there is none.
+// Finds the first snapshot that can be read and takes its heights, from which the bed's change counts. Measures it if no
+// earlier pass has. False if no snapshot can be read.
 bool MeasurePass::prepare() {
   for (const SeriesEntry& entry : entries_) {
     started_.insert(entry.file);

@@ -56,7 +56,7 @@ class MeasurePass {
   std::string made_with_;
   std::map<std::string, MeasuredSnapshot> known_;  // by earlier passes
   std::map<std::filesystem::path, MeasuredSnapshot> done_;
-  std::set<std::filesystem::path> started_;  // before the others
+  std::set<std::filesystem::path> started_;  // by prepare()
   LevelMap initial_;
   std::vector<std::string> warnings_;
   std::size_t reused_ = 0;

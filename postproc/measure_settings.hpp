@@ -7,7 +7,7 @@
 
 namespace thalweg {
 
-/// What is taken from every snapshot of a run.
+/// The things to measure in every snapshot of a run.
 struct MeasureSettings {
   Case resolved;
   ExtractionSettings profile;      // along x, in 3-D in the middle of the domain

@@ -89,7 +89,7 @@ std::string rmse_table(const ReportInput& input, const std::vector<CurveError>& 
       "<h3>Root mean square difference [mm]</h3>\n" + html::table(heads, rows, "lll" + std::string(times.size(), 'r'));
   if (input.repeatability.empty()) return text;
   return text + fmt::format(
-                    "<p class=\"small\">The scatter is what two runs differ by that differ in nothing of importance; "
+                    "<p class=\"small\">The scatter is the difference between runs that should be equal; "
                     "smaller differences mean nothing{}. From the case's repeatability.csv: {}</p>\n",
                     any_within_scatter ? " and are marked *" : "",
                     escape(fmt::format("{}", fmt::join(input.repeatability_origin, " "))));

@@ -38,9 +38,9 @@ std::string methods(const ReportInput& input, const fs::path& pictures) {
   const std::string cost = html::inline_svg(pictures / "cost.svg", "cost", "Speed against error of both methods");
   if (!cost.empty()) {
     text += "<figure>\n" + cost +
-            "<figcaption>CPU time of each run against how far its bed lies from the finest run of the same method; the "
-            "finest runs themselves have no place here. Distance from a method's own finest run says how far its "
-            "resolution decides, not how right it is.</figcaption>\n</figure>\n";
+            "<figcaption>CPU time of each run, and the distance of its bed from the finest run of the same method. "
+            "The finest runs themselves are not shown. The distance shows the effect of the resolution; it does not "
+            "show how close a method is to reality.</figcaption>\n</figure>\n";
   }
   text += "<p class=\"small\">Root mean square over all times compared; <a href=\"cost.csv\">cost.csv</a>.</p>\n";
   if (!bands) return text;
@@ -52,8 +52,9 @@ std::string methods(const ReportInput& input, const fs::path& pictures) {
     if (!picture.empty()) text += "<figure>\n" + picture + "</figure>\n";
   }
   return text +
-         "<p>Each mesh model is its line; the band reaches from it to the same model on cells twice as large. That is "
-         "the mesh model's own uncertainty: where the particle model lies inside, the two cannot be told apart.</p>\n";
+         "<p>A line is a mesh model; its band reaches to the same model on cells twice as large. The band is the mesh "
+         "model's own uncertainty: a particle model that lies inside the band cannot be distinguished from the mesh "
+         "model.</p>\n";
 }
 
 }  // namespace thalweg::report_sections

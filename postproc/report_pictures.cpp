@@ -36,7 +36,7 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
     if (!there) continue;
     text += fmt::format("<span class=\"swatch\" style=\"border-color:{}\"></span>{}", curve_colours[c], names[c]);
   }
-  text += ". The colour says which curve it is; ";
+  text += ". The colour tells which curve it is; ";
   std::vector<std::string> kinds{"a full line is this SPH run"};
   const auto has = [&](SourceKind kind) {
     return std::any_of(input.sets.begin(), input.sets.end(), [&](const ProfileSet& set) { return set.kind == kind; });
@@ -73,7 +73,7 @@ std::string front_and_energies(const ReportInput& input, const std::filesystem::
     text +=
         figure(html::inline_svg(pictures / "energies.svg", "energies", "Energies against time"),
                fmt::format("Energies of water and sediment{}; potential and internal energy as change from the start. "
-                           "The falling sum is what friction has taken. Numbers: <a "
+                           "The sum falls by what friction dissipates. Numbers: <a "
                            "href=\"../history.csv\">history.csv</a>.",
                            width));
   }
@@ -83,14 +83,13 @@ std::string front_and_energies(const ReportInput& input, const std::filesystem::
 std::string particles(const ReportInput& input, const std::filesystem::path& pictures) {
   const std::string picture = html::inline_png(pictures / "particles.png", "Particles at the last time");
   return "<h2>The particles</h2>\n" +
-         figure(picture,
-                fmt::format("The particles at t = {:g} s{}, heights not exaggerated: what they are, how fast they "
-                            "are, and their pressure (sediment at rest keeps the one it stopped with). Open "
-                            "<code>snapshots.pvd</code> in ParaView for all times.",
-                            input.extraction.last_time,
-                            input.resolved.info.dimension == 3
-                                ? fmt::format(", in the plane y = {:g} m", input.extraction.plane_y)
-                                : ""));
+         figure(picture, fmt::format("The particles at t = {:g} s{}, heights not exaggerated: kind, speed and pressure "
+                                     "(sediment at rest keeps the pressure it had when it stopped). Open "
+                                     "<code>snapshots.pvd</code> in ParaView for all times.",
+                                     input.extraction.last_time,
+                                     input.resolved.info.dimension == 3
+                                         ? fmt::format(", in the plane y = {:g} m", input.extraction.plane_y)
+                                         : ""));
 }
 
 }  // namespace thalweg::report_sections

@@ -9,13 +9,13 @@
 namespace thalweg {
 namespace {
 
-// A length to the power of ten next below a millionth of the spacing.
+// A length rounded to the next power of ten below a millionth of the spacing.
 double rounded(double length, double spacing) {
   const double digits = std::pow(10, 6 - std::floor(std::log10(spacing)));
   return std::round(length * digits) / digits;
 }
 
-// A profile's numbers without the digits that mean nothing.
+// A profile without the digits that mean nothing.
 Profile rounded(Profile profile, double spacing) {
   for (auto* values : {&profile.x, &profile.free_surface, &profile.bed, &profile.moving_bed}) {
     for (double& value : *values) value = rounded(value, spacing);

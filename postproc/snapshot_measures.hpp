@@ -43,9 +43,10 @@ LevelMap levels_of(const ParticleSet& particles, const MeasureSettings& settings
 /// first snapshot, or from the snapshot itself if `initial` is null. Throws InputError if the snapshot cannot be
 /// measured.
 ///
-/// The particles are classified once for all sums. The profile, the lines, the surfaces and each level gauge then have
-/// a grid of their own, because their nodes differ: half a spacing apart in a plane, one spacing apart in space, turned
-/// into the line's plane, or around a gauge alone, as during the run.
+/// The particles are classified once for all sums. Profile, lines, surfaces and level gauges have a sum each: in 3-D
+/// their nodes differ (half a spacing apart in a plane, a whole one in space, turned into a line's plane), and a gauge
+/// sees its surroundings only, as during the run. In 2-D profile and surfaces have nodes in common, but different
+/// origins and orders of summation, on which the last digits depend.
 SnapshotResults measure(const ParticleSet& particles, double time, const MeasureSettings& settings,
                         const LevelMap* initial);
 

@@ -21,7 +21,7 @@ struct ExtractionSettings {
   double rest_speed = 0.01;     // [m/s] slower sediment rests; where there is State, deposits only
 };
 
-/// A profile and what it was measured from.
+/// A profile with the floor under it and the water's front.
 struct ExtractedProfile {
   Profile profile;            // without sediment in the set, `bed` and `moving_bed` are empty
   std::vector<double> floor;  // [m] per x: the wall under the fluid; NaN where there is none

@@ -73,7 +73,7 @@ class Scatter {
   }
 
  private:
-  // A sum to which a particle contributes, and at which rows.
+  // A sum to which a particle contributes, and the rows of its nodes.
   struct Target {
     std::vector<float>& sum;
     IndexRange rows;
@@ -108,7 +108,7 @@ class Scatter {
                      static_cast<float>(aside2));
   }
 
-  // The volume of a wall particle is its lattice cell: mass and density of dummy particles mean something else.
+  // A wall particle has the volume of its lattice cell, because its mass and density are not those of a material.
   [[nodiscard]] float volume_of(std::size_t b) const {
     const bool known = parts_[b] != Part::wall && has_volumes_ && particles_.density[b] > 0;
     return known ? particles_.mass[b] / particles_.density[b] : lattice_volume_;

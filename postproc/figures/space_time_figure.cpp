@@ -9,8 +9,8 @@ namespace thalweg {
 
 namespace fs = std::filesystem;
 
-// Brown where the bed has risen, blue-green where it has sunk (ColorBrewer's BrBG). The boxes overlap by a tenth, because
-// the smoothing of their edges would draw a grid.
+// Brown where the bed has risen, blue-green where it has sunk (ColorBrewer's BrBG). The boxes overlap by a tenth,
+// because the smoothing of their edges would draw a grid.
 fs::path FigureWriter::space_time(const fs::path& table, const fs::path& front, const PictureFrame& frame,
                                   double spacing, double largest) const {
   const auto number = [](double value) { return fmt::format("{:g}", value); };
