@@ -9,7 +9,7 @@
 
 namespace thalweg {
 
-/// How far one curve lies from another at one time. Errors are compared minus reference, at the reference's points.
+/// The distance of one curve from another at one time. Errors are compared minus reference, at the reference's points.
 struct CurveError {
   std::string reference;
   std::string compared;
@@ -30,10 +30,10 @@ struct CurveError {
   /// initial bed or without change.
   double brier_skill = std::numeric_limits<double>::quiet_NaN();
   double scatter = std::numeric_limits<double>::quiet_NaN();  // [m] of repeated runs; NaN where it is not known
-  int scatter_runs = 0;                                       // [-] 0: not told
+  int scatter_runs = 0;                                       // [-] 0: not known
 };
 
-/// How far apart two sources say one number is at one time [m].
+/// One number at one time, as two sources give it [m].
 struct ScalarError {
   std::string reference;
   std::string compared;
@@ -44,7 +44,7 @@ struct ScalarError {
   double compared_value = 0;  // NaN, like the other, where the source does not have it
 };
 
-/// What equal runs differ by: root mean square over all pairs of them and the columns they share.
+/// The difference of equal runs: root mean square over all pairs of runs and the columns they share.
 struct Scatter {
   std::string line;
   std::string curve;
@@ -56,16 +56,16 @@ struct Scatter {
 struct Comparison {
   std::vector<CurveError> errors;
   std::vector<ScalarError> scalars{};
-  std::vector<std::string> remarks;  // what could not be compared, in words
+  std::vector<std::string> remarks;  // in words: the things that could not be compared
 };
 
-/// How the errors are made, for tables and reports.
+/// The definition of the errors, for tables and reports.
 inline constexpr const char* comparison_method =
     "error = compared - reference at the reference's points between the common ends, the compared curve linear between "
     "its points, never beyond its ends or across a gap; normalised by (max - min) of the reference over those points; "
     "skill: Brier skill score of the bed's change since 0 s; scatter: what equal runs differ by (root mean square)";
 
-/// What is compared, and with which water a place counts as wet.
+/// The range that is compared, and the least depth of water of a wet place.
 struct ComparedRange {
   double from = -std::numeric_limits<double>::infinity();  // [m]
   double to = std::numeric_limits<double>::infinity();     // [m]

@@ -80,7 +80,7 @@ std::vector<Constant> values_of(Table& table, int dimension) {
   return given.rows;
 }
 
-// What a shape's keys say, in one row: what it is, and as its meaning where it is.
+// A shape in one row: its kind, role and material as the value, its place as the meaning.
 Constant shape_in_a_row(Shape& shape, int dimension) {
   std::vector<std::string> what;
   std::vector<std::string> where;

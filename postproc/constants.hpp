@@ -31,7 +31,7 @@ struct Switch {
   std::string meaning;
 };
 
-/// What is on and what is off: the choices of [model], and the numerical terms a zero switches off.
+/// The parts of the model, on or off: the choices of [model], and the numerical terms that a zero switches off.
 std::vector<Switch> list_switches(const Case& resolved);
 
 }  // namespace thalweg

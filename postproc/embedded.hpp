@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "postproc/figures/scripts.hpp"
+
 /// Text files compiled into the program (postproc/CMakeLists.txt), so that it needs none beside itself.
 namespace thalweg::embedded {
 

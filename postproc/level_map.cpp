@@ -8,7 +8,7 @@
 namespace thalweg {
 namespace {
 
-// Index of the node below a coordinate, and how far it lies on the way to the next one.
+// Index of the node below a coordinate, and the share of the way to the next node.
 struct Place {
   long index;
   double share;
@@ -19,7 +19,7 @@ Place place_of(double coordinate, double step, long first) {
   return {static_cast<long>(below), nodes - below};
 }
 
-// The four corners of a cell of columns, in 2-D two.
+// The corners of a cell of columns: four in 3-D, two in 2-D.
 std::vector<std::size_t> corners_of(const SamplingGrid& grid, std::size_t i, std::size_t j) {
   if (grid.ny == 1) return {grid.column(i, 0), grid.column(i + 1, 0)};
   return {grid.column(i, j), grid.column(i + 1, j), grid.column(i, j + 1), grid.column(i + 1, j + 1)};

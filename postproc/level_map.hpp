@@ -19,7 +19,7 @@ struct LevelMap {
   [[nodiscard]] const ColumnLevels* find(const SamplingGrid& like, std::size_t i, std::size_t j) const;
 };
 
-/// What became of the bed between two maps. Volumes are per metre of width in 2-D [m^2].
+/// The change of the bed between two maps. Volumes are per metre of width in 2-D [m^2].
 struct BedBalance {
   double scour = 0;  // [m] deepest fall, >= 0
   Vec3 scour_at = Vec3::Zero();

@@ -26,12 +26,13 @@ int run(int argc, char** argv) {
   app.add_option("--line", options.lines,
                  "3-D: a further line in plan for profiles, \"NAME=0 m,0.1 m,1 m,0.1 m\": x and y of its ends")
       ->type_name("NAME=X0,Y0,X1,Y1");
-  app.add_option("--repeat", options.repeats, "folders of runs that should give the same, for the scatter of the run")
+  app.add_option("--repeat", options.repeats,
+                 "folders of further runs of the same case, for the scatter between equal runs")
       ->type_name("DIR");
   app.add_flag("!--no-surfaces", options.surfaces, "write no surfaces/*.vtp and *.stl");
   app.add_flag("--report", options.report, "draw the pictures and write report/index.html (needs gnuplot)");
   app.add_flag("--3d", options.in_space,
-               "the report with bed and free surface to turn about, and a slider for the time");
+               "the report with a 3-D view of bed and free surface, and a slider for the time");
   app.add_flag("--movie", options.movie, "draw every snapshot: movie/*.png, and movie.mp4 where ffmpeg is installed");
   app.add_option("--figures", figures, "the figures of the source paper from this run, in report/paper (needs gnuplot)")
       ->check(CLI::IsMember({"paper"}));

@@ -74,6 +74,17 @@ void append(std::vector<CsvColumn>& to, const std::vector<CsvColumn>& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
+void write_fronts(const fs::path& file, const std::vector<MeasuredSnapshot>& done, double spacing) {
+  CsvTable table({{"time", "s"}, {"front", "m"}});
+  table.comments.push_back(
+      fmt::format("largest x with more than {:g} m of water over the bed ({:g} of the particle spacing)",
+                  least_layer * spacing, least_layer));
+  for (const MeasuredSnapshot& snapshot : done) {
+    table.add_row({csv_number(snapshot.measures.time), csv_number(snapshot.measures.front)});
+  }
+  table.write(file);
+}
+
 }  // namespace
 
 std::string version_of(const fs::path& file) {
@@ -142,7 +153,9 @@ std::vector<MeasuredSnapshot> read_progress(const fs::path& file, const std::str
   }
 }
 
-void write_measures(const RunFolder& run, const std::vector<MeasuredSnapshot>& done, const Case& resolved) {
+void write_measures(const RunFolder& run, const std::vector<MeasuredSnapshot>& done, const Case& resolved,
+                    double spacing) {
+  write_fronts(run.profiles() / "front.csv", done, spacing);
   CsvTable series(series_columns(resolved));
   series.comments.emplace_back(
       "one row a snapshot; scour and deposition: largest fall and rise of the bed since the first snapshot; eroded and "

@@ -23,7 +23,7 @@ struct Names {
 constexpr Names of_particles{"spacing", "fluid_particles"};
 constexpr Names of_mesh{"cell_size", "cells"};
 
-// Nothing where the folder holds no finished run.
+// Reads the run of a folder; nothing if it holds no finished run.
 std::optional<MethodRun> read_run(const fs::path& folder, const std::string& method, const Names& names,
                                   SourceKind kind) {
   const std::vector<Quantity> summary = read_quantities(folder / "summary.csv");

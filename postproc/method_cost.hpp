@@ -34,7 +34,7 @@ struct Method {
 /// Only runs with a summary and profiles count. Throws InputError.
 std::vector<Method> read_methods(const RunFolder& run);
 
-/// Whether a folder of run/foam holds a coarser mesh of the model in another one ("same-material-2x").
+/// True if a folder of run/foam holds a model of another folder on a coarser mesh ("same-material-2x").
 bool is_coarser_mesh(const std::filesystem::path& folder);
 
 /// Root mean square distance [m] of a curve between two sets over all times they share; NaN where they share none.

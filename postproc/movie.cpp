@@ -25,6 +25,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/extraction/parts.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/process.hpp"
 #include "common/whole_file.hpp"
@@ -54,8 +55,6 @@ Colour blend(const std::array<Colour, n>& colours, double share) {
   return mixed;
 }
 
-bool is_fluid(ParticleType type) { return type == ParticleType::water || type == ParticleType::sediment; }
-
 struct Room {
   Vec3 low = Vec3::Constant(INFINITY);
   Vec3 high = Vec3::Constant(-INFINITY);
@@ -78,7 +77,7 @@ struct Room {
   }
 };
 
-// The fluid, and of the walls what encloses a flow in the plane or stands in one in space.
+// The fluid and some of the walls: in 2-D those that enclose the flow, in 3-D those that stand in it.
 vtkSmartPointer<vtkPolyData> coloured(const ParticleSet& particles, const Room& room, bool by_state) {
   const bool flat = particles.info.dimension == 2;
   const double margin = (flat ? 3 : -1) * particles.info.spacing;

@@ -9,12 +9,12 @@ namespace thalweg {
 
 /// The figures of Zhang, Xiong & Liu (2024), made from our runs, the mesh model in the place of their commercial code:
 /// front against spacing over an immobile bed (6), start and profiles with their RMSE (8-10), sections inside the tank,
-/// at the deepest scour and at the front with local errors (11, 12), deepest scour against time (13). What is missing,
-/// a measurement above all, has its slot, which says what would fill it.
+/// at the deepest scour and at the front with local errors (11, 12), deepest scour against time (13). A missing
+/// part, a measurement above all, has an empty slot that says what would fill it.
 ///
 /// Writes report/paper: pictures and their scripts, data/*.csv, and index.html, which needs no other file. `series`:
-/// runs of one case at several spacings, with their profiles/front.csv. Returns the page; adds to the warnings of
-/// `input` what could not be drawn. Throws InputError for a folder that is no run, RunError when nothing can be
+/// runs of one case at several spacings, with their profiles/front.csv. Returns the page; names the
+/// pictures that could not be drawn in the warnings of `input`. Throws InputError for a folder that is no run, RunError when nothing can be
 /// written.
 std::filesystem::path write_paper_figures(ReportInput& input, const std::vector<std::filesystem::path>& series);
 

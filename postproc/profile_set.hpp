@@ -9,7 +9,8 @@
 
 namespace thalweg {
 
-/// Where profiles come from; decides how a source is drawn and who is the reference of a comparison (the later one).
+/// The origin of profiles. It decides how a source is drawn, and which of two sources is the reference of a comparison:
+/// the later one in this list.
 enum class SourceKind { run, other, mesh, measured };
 
 /// Two profiles belong to one time when they are closer than this: half of what a profile's file name resolves.
@@ -44,7 +45,7 @@ inline constexpr Curve curves[] = {{"free_surface", "free surface", &Profile::fr
                                    {"bed", "bed", &Profile::bed},
                                    {"moving_bed", "moving bed", &Profile::moving_bed}};
 
-/// Whether a folder holds any file named like a profile (t0.250.csv).
+/// True if a folder holds a file named like a profile (t0.250.csv).
 bool holds_profiles(const std::filesystem::path& folder);
 
 /// Reads a folder of profiles, a run's folder (its profiles/), or one file whose name says its time.
@@ -55,7 +56,7 @@ ProfileSet read_profile_set(const std::filesystem::path& folder_or_file, const s
 /// Throws InputError.
 std::optional<ProfileSet> read_line_set(const ProfileSet& source, const std::string& line);
 
-/// Reads what --compare names: "PATH" or "LABEL=PATH"; files of one folder become one set. Throws InputError.
+/// Reads the arguments of --compare, "PATH" or "LABEL=PATH"; files with one label become one set. Throws InputError.
 std::vector<ProfileSet> read_named_sets(const std::vector<std::string>& arguments);
 
 }  // namespace thalweg

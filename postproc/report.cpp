@@ -9,7 +9,8 @@
 #include "common/csv.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/whole_file.hpp"
-#include "postproc/figures.hpp"
+#include "postproc/figures/figure_writer.hpp"
+#include "postproc/figures/method_figures.hpp"
 #include "postproc/gnuplot.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
@@ -82,7 +83,7 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   const ParticleTable table =
       write_particle_table(input.run.report() / "data" / "particles.csv",
                            read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
-  for (fs::path& script : report_sections::method_scripts(input.methods, input.sets.front(), frame, input.run)) {
+  for (fs::path& script : method_scripts(input.methods, input.sets.front(), frame, input.run)) {
     scripts.push_back(std::move(script));
   }
   const double spacing = input.extraction.info.spacing;

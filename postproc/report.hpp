@@ -19,16 +19,15 @@ struct MeshModel {
   std::vector<Quantity> summary;
 };
 
-/// How far the bed has risen (+) or sunk (-) since the run's first profile, at every place and time there is a profile
-/// of.
+/// A table of the bed's rise (+) or fall (-) since the run's first profile, at every place and time with a profile.
 struct BedHistory {
-  std::filesystem::path
-      file;               // x [m], time [s], from [s], to [s], change [m]; from and to: half-way to the times beside
-  std::size_t times = 0;  // [-] 0: there is no table, for want of a bed or of times
+  // x [m], time [s], from [s], to [s], change [m]; from and to lie half-way to the neighbouring times
+  std::filesystem::path file;
+  std::size_t times = 0;  // [-] 0: there is no table, because the run has no bed or a single time
   double largest = 0;     // [m] magnitude
 };
 
-/// Everything the page is made of; the page adds nothing that is not here or in the files it names.
+/// The contents of the page. The page adds nothing that is not here or in the files named here.
 struct ReportInput {
   Case resolved;
   RunFolder run;
@@ -51,7 +50,7 @@ struct ReportInput {
 
 /// Writes report/pictures (gnuplot scripts and what they draw), report/data (the curves as drawn) and
 /// report/index.html, a page that needs no other file and no network. Returns false when the pictures are missing
-/// because gnuplot is not installed; the page then says so. Adds to the warnings what it had to leave out. Throws
+/// because gnuplot is not installed; the page then says so. Names the parts it has to leave out in the warnings. Throws
 /// RunError.
 bool write_report(ReportInput& input);
 

@@ -1,4 +1,4 @@
-// What was run: the lower half of the report.
+// The lower half of the report: the run, its model and the sources of the page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -110,8 +110,7 @@ std::string run_numbers(const ReportInput& input) {
   }
   text += mass_sentence(input.history) + "</div>\n</div>\n";
   text += "<h3>The mesh model</h3>\n";
-  text += input.meshes.empty() ? "<p>None has been run beside it (there is no folder of one in foam/).</p>\n"
-                               : mesh_table(input.meshes);
+  text += input.meshes.empty() ? "<p>No mesh model has been run: foam/ holds none.</p>\n" : mesh_table(input.meshes);
   return text;
 }
 
@@ -153,11 +152,10 @@ std::string provenance(const ReportInput& input) {
   const ParticleFileInfo& info = input.extraction.info;
   std::string text = "<h2>How this was made</h2>\n";
   text += fmt::format(
-      "<p>Free surface, bed and moving bed are where the volume fraction of water and sediment, of sediment, and of "
-      "sediment at rest ({}) crosses one half. The fraction is a kernel sum over the particles (Wendland C2, h = {:g} "
-      "mm) on "
-      "a grid of {:g} mm; only bodies connected to the floor count, and in each column their highest crossing. Layers "
-      "thinner than {:g} spacing count as absent.</p>\n",
+      "<p>The free surface is where the volume fraction of water and sediment crosses one half, the bed where that of "
+      "sediment does, and the moving bed where that of sediment at rest ({}) does. The fraction is a kernel sum over "
+      "the particles (Wendland C2, h = {:g} mm) on a grid of {:g} mm. Only bodies connected to the floor count, and in "
+      "each column their highest crossing. Layers thinner than {:g} spacing count as absent.</p>\n",
       escape(input.extraction.rest_criterion), 1e3 * info.smoothing_length, 1e3 * info.spacing / 2, least_layer);
   std::vector<std::vector<std::string>> sources;
   for (const ProfileSet& set : input.sets) {
@@ -168,7 +166,7 @@ std::string provenance(const ReportInput& input) {
     sources.push_back({escape(set.label), "<code>" + escape(set.origin.string()) + "</code>",
                        "<span class=\"small\">" + comments + "</span>"});
   }
-  text += "<h3>Sources</h3>\n" + html::table({"source", "read from", "what its files say"}, sources, "lll", "wide");
+  text += "<h3>Sources</h3>\n" + html::table({"source", "read from", "comments in its files"}, sources, "lll", "wide");
   std::string compare;
   for (const std::string& argument : input.compare_arguments) compare += " --compare " + argument;
   text += html::table(
@@ -177,9 +175,9 @@ std::string provenance(const ReportInput& input) {
        {"post-processing", "thalweg-postproc " THALWEG_VERSION},
        {"hash of the case", "<code>" + escape(info.case_hash) + "</code>"},
        {"case file", "<code>" + escape(input.resolved.file.string()) + "</code>"},
-       {"this page again", fmt::format("<code>thalweg-postproc {}{} {}</code>", escape(input.run.root.string()),
-                                       escape(compare), input.in_space ? "--3d" : "--report")},
-       {"a picture again", "<code>cd report/pictures &amp;&amp; gnuplot t….gp</code>"},
+       {"to make this page again", fmt::format("<code>thalweg-postproc {}{} {}</code>", escape(input.run.root.string()),
+                                               escape(compare), input.in_space ? "--3d" : "--report")},
+       {"to draw a picture again", "<code>cd report/pictures &amp;&amp; gnuplot t….gp</code>"},
        {"curves as drawn", "<code>report/data/</code>"}},
       "ll");
   return text;

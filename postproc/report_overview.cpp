@@ -1,4 +1,4 @@
-// What a reader needs first: the scene, and which method is which, how far off and what it cost; then the maps.
+// The overview at the top of the report (scene, methods, their errors and costs), and its maps and views.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "postproc/embedded.hpp"
-#include "postproc/figures.hpp"
+#include "postproc/figures/figure_writer.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using html::escape;
 
-// What the numbers of a method are read from: the run's summary, or that of the mesh model of this label.
+// The summary with the numbers of a method: the run's, or that of the mesh model of this label.
 const std::vector<Quantity>* summary_of(const ReportInput& input, const ProfileSet& set) {
   if (set.kind == SourceKind::run) return &input.summary;
   for (const MeshModel& mesh : input.meshes) {
@@ -87,7 +87,7 @@ std::string range_of_scatter(const ReportInput& input, const char* curve) {
   return fmt::format("{:.1f}–{:.1f}", 1e3 * low, 1e3 * high);
 }
 
-// The measurement, if there is one, or this run: what the others are held against at the top of the page.
+// The source with which the others are compared at the top of the page: the measurement if there is one, or this run.
 const ProfileSet& held_against(const ReportInput& input) {
   for (const ProfileSet& set : input.sets) {
     if (set.kind == SourceKind::measured) return set;
@@ -172,14 +172,13 @@ std::string which_is_which(const ReportInput& input) {
                                   "free surface off by [mm]", "bed off by [mm]"},
                                  rows, "lllrrrrrr", "wide overview");
   text += fmt::format(
-      "<p class=\"small\">Off by: root mean square over x of the distance from {}, smallest and largest of the times "
+      "<p class=\"small\">Off by: root mean square distance from {} over x, the smallest and the largest of the times "
       "compared{}. Numbers: <a href=\"errors.csv\">report/errors.csv</a>, <a href=\"../summary.csv\">summary.csv</a>. "
-      "Wall "
-      "clocks of a machine that does other work say little.</p>\n",
+      "Wall-clock times mean little if the machine did other work.</p>\n",
       against,
       reference.kind == SourceKind::measured
           ? ""
-          : "; no measurement stands beside them, so that none of this is agreement with an experiment");
+          : ". There is no measurement, so these numbers say nothing about agreement with an experiment");
   return text;
 }
 
@@ -189,8 +188,8 @@ std::string space_time(const ReportInput& input, const fs::path& pictures) {
   return "<h2>The bed over place and time</h2>\n" +
          figure(html::inline_png(pictures / "space_time.png", "Change of the bed over place and time"),
                 fmt::format(
-                    "How far the bed has risen (brown) or sunk (blue-green) since the start, at {} times; the line "
-                    "is the water's front. Largest change: {:.1f} mm. Numbers: <a "
+                    "Change of the bed's level since the start at {} times: brown where it has risen, blue-green where "
+                    "it has sunk. The line is the water's front. Largest change: {:.1f} mm. Numbers: <a "
                     "href=\"data/bed_change.csv\">report/data/bed_change.csv</a>.",
                     bed.times, 1e3 * bed.largest));
 }
@@ -203,9 +202,9 @@ std::string space_view(const SpaceScene& scene) {
          "<output></output><label><input type=\"checkbox\" name=\"water\" checked> water</label>" +
          fmt::format("<span class=\"scale\">−{0:.0f} mm <i></i> +{0:.0f} mm</span></div>\n", 1e3 * scene.largest) +
          fmt::format(
-             "<figcaption>The bed, brown where it has risen and blue-green where it has sunk since the start, under "
-             "the "
-             "water's surface, at {} times{}. Drag to turn, wheel to zoom, shift and drag to move.</figcaption>\n"
+             "<figcaption>The bed under the water's surface at {} times{}. The bed is brown where it has risen since "
+             "the start and blue-green where it has sunk. Drag to turn, wheel to zoom, shift and drag to "
+             "move.</figcaption>\n"
              "</figure>\n",
              scene.frames,
              scene.thinned ? fmt::format("; surfaces thinned to at most {} triangles",

@@ -4,15 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "postproc/figures.hpp"
 #include "postproc/report.hpp"
 #include "postproc/scene3d.hpp"
 
 namespace thalweg::report_sections {
-
-/// Writes the gnuplot scripts of methods() and their data: bands between fine and coarse meshes, speed against error.
-std::vector<std::filesystem::path> method_scripts(const std::vector<Method>& methods, const ProfileSet& particles,
-                                                  const PictureFrame& frame, const RunFolder& run);
 
 // The parts of the report's page, each a piece of HTML.
 

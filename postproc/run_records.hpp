@@ -21,7 +21,7 @@ std::vector<Quantity> read_quantities(const std::filesystem::path& file);
 std::optional<std::string> text_of(const std::vector<Quantity>& quantities, const std::string& name);
 std::optional<double> number_of(const std::vector<Quantity>& quantities, const std::string& name);
 
-/// What a report takes from history.csv.
+/// The numbers of history.csv that a report shows.
 struct History {
   struct Share {
     std::string limiter;
@@ -47,7 +47,7 @@ struct Timing {
 };
 std::vector<Timing> read_timing(const std::filesystem::path& file);
 
-/// How far two runs that should agree lie apart: the case's repeatability.csv ("curve,time [s],rms [m]").
+/// The distance of two runs that should agree: a row of the case's repeatability.csv ("curve,time [s],rms [m]").
 struct Repeatability {
   std::string curve;
   double time = 0;  // [s]

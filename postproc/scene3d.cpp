@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/error.hpp"
+#include "common/extraction/parts.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/io/vtk_errors.hpp"
@@ -28,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// More triangles of one surface than a page of some megabytes can hold at twenty times.
+// The most triangles of one surface: with more, a page with twenty times would exceed some megabytes.
 constexpr vtkIdType most_triangles = 20'000;
 
 template <class T>
@@ -95,12 +96,13 @@ nlohmann::json json_of(vtkPolyData* surface, double& largest) {
   return json;
 }
 
-// Walls inside the room that the fluid has at the start, of any height: piers and the like, not the container.
+// The wall particles inside the space that the fluid fills at the start, at any height: piers and the like, not the
+// container.
 std::vector<float> bodies_in(const ParticleSet& particles) {
   Vec3 low = Vec3::Constant(INFINITY);
   Vec3 high = -low;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.type[i] != ParticleType::water && particles.type[i] != ParticleType::sediment) continue;
+    if (!is_fluid(particles.type[i])) continue;
     low = low.cwiseMin(particles.position[i]);
     high = high.cwiseMax(particles.position[i]);
   }
@@ -108,10 +110,9 @@ std::vector<float> bodies_in(const ParticleSet& particles) {
   std::vector<float> bodies;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Vec3& at = particles.position[i];
-    const bool wall = particles.type[i] == ParticleType::wall || particles.type[i] == ParticleType::moving_wall;
     const bool inside = at.x() > low.x() + margin && at.x() < high.x() - margin && at.y() > low.y() + margin &&
                         at.y() < high.y() - margin && at.z() >= low.z();
-    if (!wall || !inside) continue;
+    if (!is_wall(particles.type[i]) || !inside) continue;
     for (const int axis : {0, 1, 2}) bodies.push_back(static_cast<float>(at[axis]));
   }
   return bodies;
@@ -133,12 +134,13 @@ void add_surfaces(const fs::path& series, const char* name, std::map<double, nlo
 SpaceScene make_space_scene(const ReportInput& input) {
   SpaceScene scene;
   if (input.resolved.info.dimension == 2) {
-    scene.why_not = "--3d: this run lies in the plane; the profiles show all of it";
+    scene.why_not = "--3d: this run is two-dimensional; the profiles show all of it";
     return scene;
   }
   if (embedded::scene_script.empty()) {
     scene.why_not =
-        "--3d: this program was built without vtk.js, for want of npm or a network; install npm and build again";
+        "--3d: this program was built without vtk.js, because npm or the network was missing; install npm and build "
+        "again";
     return scene;
   }
   const fs::path folder = input.run.surfaces();

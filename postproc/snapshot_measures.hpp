@@ -4,23 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "case/case.hpp"
 #include "common/extraction/gauges.hpp"
-#include "common/extraction/profile_extraction.hpp"
-#include "common/run_folder.hpp"
+#include "common/profile.hpp"
 #include "postproc/level_map.hpp"
+#include "postproc/measure_settings.hpp"
+#include "postproc/surfaces.hpp"
 
 namespace thalweg {
 
-/// What is taken from every snapshot.
-struct MeasureSettings {
-  Case resolved;
-  ExtractionSettings profile;
-  std::vector<ProfileLine> lines;
-  bool surfaces = true;
-};
-
-/// The numbers of one snapshot.
+/// The numbers of one snapshot, which progress.csv and series.csv hold.
 struct SnapshotMeasures {
   double time = 0;                    // [s]
   double front = 0;                   // [m] NaN without water
@@ -29,32 +21,33 @@ struct SnapshotMeasures {
   std::string rest_criterion;  // in words: which sediment counts as resting
 };
 
-/// Sediment slower than this rests (deposits only, where the solver gives State): a twentieth of sqrt(g d50) [m/s], the
-/// speed scale
-/// of a grain; about 9 mm/s for the Louvain grains. Below it lie creep and noise of particles at rest (about 1 mm/s),
-/// above it moves what a camera sees moving.
-double rest_speed_of(const Case& resolved);
-
-/// Settings for the case's domain, lines and gauges, with further lines.
-MeasureSettings settings_of(const Case& resolved, const std::vector<ProfileLine>& further_lines, bool surfaces);
-
-/// Where the results of one snapshot lie.
-struct SnapshotFiles {
-  std::filesystem::path profile;             // profiles/all/t0.250.csv
-  std::vector<std::filesystem::path> lines;  // profiles/NAME/t0.250.csv
-  std::filesystem::path surface_stem;        // surfaces/ with the name's end, "_t0.250"
-
-  [[nodiscard]] std::filesystem::path surface(const char* kind, const char* extension) const;
+/// The curves of one snapshot, rounded as in their files.
+struct SnapshotProfiles {
+  ParticleFileInfo info;       // of the snapshot
+  Profile along_x;             // in 3-D in the plane MeasureSettings::profile.plane_y
+  std::vector<Profile> lines;  // in the order of MeasureSettings::lines
 };
-SnapshotFiles files_at(double time, const RunFolder& run, const MeasureSettings& settings);
 
-/// The heights of the first snapshot's columns, from which the bed's change counts. Without fluid, an empty map.
-LevelMap initial_levels(const ParticleSet& particles, const MeasureSettings& settings);
+/// All that is measured in one snapshot.
+struct SnapshotResults {
+  SnapshotMeasures measures;
+  SnapshotProfiles profiles;
+  std::vector<Surface> surfaces;  // empty without fluid, and where the settings ask for none
+  LevelMap levels;                // of all columns; empty without fluid
+};
 
-/// Measures a snapshot and writes its profiles and surfaces. The bed's change counts from `initial` or, for the first
-/// snapshot, which has none, from the snapshot itself, whose heights then come back in `own`. Throws InputError where
-/// it cannot be measured, RunError where its results cannot be written.
-SnapshotMeasures measure_snapshot(const ParticleSet& particles, double time, const RunFolder& run,
-                                  const MeasureSettings& settings, const LevelMap* initial, LevelMap* own = nullptr);
+/// The heights of all columns of a snapshot. Without fluid, an empty map.
+LevelMap levels_of(const ParticleSet& particles, const MeasureSettings& settings);
+
+/// Measures a snapshot at `time` [s]; writes nothing. The bed's change counts from `initial`, the levels of the run's
+/// first snapshot, or from the snapshot itself if `initial` is null. Throws InputError if the snapshot cannot be
+/// measured.
+///
+/// The particles are classified once for all sums. Profile, lines, surfaces and level gauges have a sum each: in 3-D
+/// their nodes differ (half a spacing apart in a plane, a whole one in space, turned into a line's plane), and a gauge
+/// sees its surroundings only, as during the run. In 2-D profile and surfaces have nodes in common, but different
+/// origins and orders of summation, on which the last digits depend.
+SnapshotResults measure(const ParticleSet& particles, double time, const MeasureSettings& settings,
+                        const LevelMap* initial);
 
 }  // namespace thalweg

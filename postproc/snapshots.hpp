@@ -9,10 +9,10 @@
 
 namespace thalweg {
 
-/// The snapshots of a run in order of time, with paths that can be opened, and what was odd about finding them.
+/// The snapshots of a run in order of time, with paths that can be opened, and warnings about the way they were found.
 struct SnapshotList {
   std::vector<SeriesEntry> entries;
-  std::vector<std::string> warnings;  // the series file had to be done without; a file that cannot be read
+  std::vector<std::string> warnings;  // a missing or damaged series file; a file that cannot be read
   bool damaged = false;               // one of the warnings means that part of the run is lost
 };
 

@@ -1,15 +1,11 @@
 #include "postproc/space_time.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/csv.hpp"
-#include "common/whole_file.hpp"
-#include "postproc/figure_look.hpp"
-#include "postproc/figures.hpp"
 
 namespace thalweg {
 namespace {
@@ -17,13 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<TimedProfile> profiles_of(const ReportInput& input) {
-  const fs::path all = input.run.profiles() / "all";
-  if (holds_profiles(all)) return read_profile_set(all, "", SourceKind::run).profiles;
-  std::vector<TimedProfile> profiles = input.extraction.written;
-  const std::optional<TimedProfile>& initial = input.extraction.initial;
-  if (initial && !profiles.empty() && initial->time + same_time < profiles.front().time) {
-    profiles.insert(profiles.begin(), *initial);
-  }
+  std::vector<TimedProfile> profiles;
+  for (const SnapshotProfile& snapshot : input.extraction.along_x) profiles.push_back(snapshot.get());
   return profiles;
 }
 
@@ -55,30 +46,6 @@ BedHistory write_bed_history(const fs::path& file, const ReportInput& input) {
   table.write(file);
   history.times = profiles.size();
   return history;
-}
-
-fs::path FigureWriter::space_time(const fs::path& table, const fs::path& front, const PictureFrame& frame,
-                                  double spacing, double largest) const {
-  const fs::path script = folder_ / "space_time.gp";
-  write_whole_text(script, [&](std::ostream& stream) {
-    fmt::print(stream, "# Draws space_time.png from the CSV files it names: gnuplot space_time.gp\n{}", figure_look);
-    // Brown where the bed has risen, blue-green where it has sunk (ColorBrewer's BrBG). The boxes overlap by a tenth,
-    // or the smoothing of their edges would draw a grid.
-    fmt::print(
-        stream,
-        "set terminal pngcairo size 2000,820 font 'sans,13' fontscale 1.9 linewidth 2 noenhanced\n"
-        "set output 'space_time.png'\nunset grid\nset xrange [{0:g}:{1:g}]\nset yrange [*:*] noextend\n"
-        "set xlabel 'x  [m]' offset 0,0.4\nset ylabel 't  [s]' offset 1,0\n"
-        "set cblabel 'bed risen or sunk  [mm]'\nset cbrange [{2:g}:{3:g}]\n"
-        "set palette defined (-1 '#005a50', -0.5 '#5ab4ac', 0 '#f5f5f0', 0.5 '#d8a048', 1 '#54300a')\n"
-        "set style fill solid noborder\nset key top left Left reverse samplen 2\n"
-        "plot {4} using (column('x [m]')):(column('time [s]')):(column('x [m]')-{5:g}):(column('x [m]')+{5:g}):"
-        "(column('from [s]')):(column('to [s]')):(1e3*column('change [m]')) with boxxyerror palette notitle, \\\n"
-        "     {6} using (column('front [m]')):(column('time [s]')) with lines lw 1.6 lc rgb '#1a1a1a' "
-        "title 'water front'\n",
-        frame.x_from, frame.x_to, -1e3 * largest, 1e3 * largest, data(table), 0.55 * spacing, data(front));
-  });
-  return script;
 }
 
 }  // namespace thalweg

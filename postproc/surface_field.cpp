@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/error.hpp"
-
 namespace thalweg {
 namespace {
 
@@ -31,29 +29,21 @@ std::optional<SamplingGrid> grid_around_fluid(const ParticleSet& particles, cons
 
 }  // namespace
 
-std::unique_ptr<SurfaceField> make_surface_field(const ParticleSet& particles, const CellList& cells,
+std::unique_ptr<SurfaceField> make_surface_field(const ClassifiedParticles& set, const CellList& cells,
                                                  const ExtractionSettings& settings) {
-  const ParticleFileInfo& info = particles.info;
-  if (!(info.spacing > 0) || !(info.smoothing_length > 0)) {
-    throw InputError("the particle file does not say its spacing and smoothing length; write it with thalweg-solver");
-  }
-  const std::optional<SamplingGrid> grid = grid_around_fluid(particles, settings);
+  const std::optional<SamplingGrid> grid = grid_around_fluid(set.particles, settings);
   if (!grid) return nullptr;
-  const WallRuns walls = find_wall_runs(particles, info.spacing);
-  const std::vector<Part> parts = parts_of(particles, settings.rest_speed);
   VolumeFractions sums(*grid);
   // Slabs of columns share no node; the particles at their faces are summed by both neighbours.
   constexpr std::size_t thickness = 16;
   const std::size_t slabs = (grid->nx + thickness - 1) / thickness;
+  const double reach = 2 * set.particles.info.smoothing_length;
   tbb::parallel_for(std::size_t{0}, slabs, [&](std::size_t slab) {
     const std::size_t first = slab * thickness;
     const std::size_t last = std::min(first + thickness, grid->nx);
-    const double reach = 2 * info.smoothing_length;
-    add_volume_fractions(sums, particles, parts, walls, cells.slab(grid->x(first) - reach, grid->x(last) + reach),
-                         first, last);
+    add_volume_fractions(sums, set, cells.slab(grid->x(first) - reach, grid->x(last) + reach), first, last);
   });
-  return std::make_unique<SurfaceField>(std::move(sums), info.spacing, holds_sediment(particles),
-                                        knows_rest(particles));
+  return std::make_unique<SurfaceField>(std::move(sums), set);
 }
 
 LevelMap level_map(const SurfaceField& field) {

@@ -16,20 +16,19 @@ struct SurfaceField {
   VolumeFractions sums;
   Bodies bodies;  // refers to `sums`
 
-  SurfaceField(VolumeFractions filled, double spacing, bool has_sediment, bool rest_is_known)
-      : sums(std::move(filled)), bodies(sums, spacing, has_sediment, rest_is_known) {}
+  SurfaceField(VolumeFractions filled, const ClassifiedParticles& set) : sums(std::move(filled)), bodies(sums, set) {}
   SurfaceField(const SurfaceField&) = delete;
   SurfaceField& operator=(const SurfaceField&) = delete;
 };
 
-/// `cells` holds the particles in cells of the kernel's support. Null without any fluid. Throws InputError when spacing
-/// or smoothing length are missing.
-std::unique_ptr<SurfaceField> make_surface_field(const ParticleSet& particles, const CellList& cells,
+/// `cells` holds the particles of `set` in cells with edges of cell_edge(). Null without any fluid.
+std::unique_ptr<SurfaceField> make_surface_field(const ClassifiedParticles& set, const CellList& cells,
                                                  const ExtractionSettings& settings);
 
 /// Edge of the cells for make_surface_field [m]: the kernel's support.
 inline double cell_edge(const ParticleFileInfo& info) { return 2 * info.smoothing_length; }
 
+/// The heights of all columns of a field.
 LevelMap level_map(const SurfaceField& field);
 
 }  // namespace thalweg

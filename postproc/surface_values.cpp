@@ -44,12 +44,14 @@ void add_particle_values(vtkPolyData* surface, const ParticleSet& particles, con
   const KernelWeight weight(particles);
   float* velocity = particles.velocity.empty() ? nullptr : add_array(surface, "Velocity", 3)->GetPointer(0);
   float* shield = has_shields ? add_array(surface, "ShieldsNumber", 1)->GetPointer(0) : nullptr;
+  // The weight is 0 beyond the support; the margin is for rounding.
+  const double support2 = std::pow(2 * particles.info.smoothing_length, 2) * (1 + 1e-9);
   for_points(surface, [&](vtkIdType i, const Vec3& at) {
     KernelMean<Eigen::Vector3d> mean_velocity(Vec3::Zero());
     KernelMean<double> mean_shields(0);
     cells.around(at, [&](std::size_t b) {
       const bool counts = sediment_only ? particles.type[b] == ParticleType::sediment : is_fluid(particles.type[b]);
-      if (!counts) return;
+      if (!counts || (at - particles.position[b]).squaredNorm() > support2) return;
       const double w = weight(b, at);
       if (velocity != nullptr) mean_velocity.add(w, particles.velocity[b].cast<double>());
       if (has_shields && numbers->second[b] > 0) mean_shields.add(w, double{numbers->second[b]});

@@ -24,8 +24,8 @@ namespace {
 
 constexpr const char* wall_array = "Wall";
 
-// VTK's images run fastest along their first axis, our grids along z: the image's axes are z, y, x, or z, x of a plane.
-// Its coordinates count nodes.
+// A field as VTK's image. VTK stores images with the first axis fastest, our grids have z fastest: the image's axes are
+// z, y, x, or z, x of a plane. Its coordinates count nodes.
 class Image {
  public:
   Image(const SurfaceField& field, const ConnectedBody& body) : field_(field) {
@@ -125,8 +125,8 @@ vtkSmartPointer<vtkCellArray> cells_on_fluid(vtkCellArray* cells, const std::vec
   return kept;
 }
 
-// Leaves what touches the fluid and lies outside walls; a point is on the fluid's side when one of the nodes it lies
-// between is.
+// The part that touches the fluid and lies outside walls. A point touches the fluid if one of the nodes around it belongs
+// to the fluid's body.
 vtkSmartPointer<vtkPolyData> trimmed(const SurfaceField& field, const Image& image, vtkPolyData* contour) {
   const vtkIdType count = contour->GetNumberOfPoints();
   std::vector<char> on_fluid(static_cast<std::size_t>(count), 0);
@@ -162,7 +162,7 @@ vtkSmartPointer<vtkPolyData> trimmed(const SurfaceField& field, const Image& ima
   return open;
 }
 
-// Joins the pieces of a line.
+// Joins the segments of lines.
 vtkSmartPointer<vtkPolyData> joined(vtkPolyData* pieces) {
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(pieces);

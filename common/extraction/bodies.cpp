@@ -17,10 +17,10 @@ double top_or_floor(const ConnectedBody& body, std::size_t column, double floor,
 
 }  // namespace
 
-Bodies::Bodies(const VolumeFractions& sums, double spacing, bool has_sediment, bool rest_is_known)
-    : least_thickness(least_layer * spacing), fluid(sums, sums.fluid) {
-  if (has_sediment) sediment.emplace(sums, sums.sediment);
-  if (has_sediment && rest_is_known) resting.emplace(sums, sums.resting);
+Bodies::Bodies(const VolumeFractions& sums, const ClassifiedParticles& set)
+    : least_thickness(least_layer * set.particles.info.spacing), fluid(sums, sums.fluid) {
+  if (set.has_sediment) sediment.emplace(sums, sums.sediment);
+  if (set.rest_is_known) resting.emplace(sums, sums.resting);
 }
 
 ColumnLevels Bodies::levels(std::size_t column) const {
@@ -31,14 +31,6 @@ ColumnLevels Bodies::levels(std::size_t column) const {
   const double bed = sediment ? std::min(top_or_floor(*sediment, column, floor, least_thickness), surface) : floor;
   const double motionless = resting ? std::min(top_or_floor(*resting, column, floor, least_thickness), bed) : absent;
   return {surface, bed, motionless, floor};
-}
-
-bool holds_sediment(const ParticleSet& particles) {
-  return std::find(particles.type.begin(), particles.type.end(), ParticleType::sediment) != particles.type.end();
-}
-
-bool knows_rest(const ParticleSet& particles) {
-  return holds_sediment(particles) && (has_sediment_states(particles) || !particles.velocity.empty());
 }
 
 }  // namespace thalweg

@@ -17,10 +17,11 @@ struct ColumnLevels {
   double floor = 0;           // the wall under the fluid; also where the column is empty
 };
 
-/// What is connected to the floor: the fluid, its sediment and what of that rests.
+/// The bodies connected to the floor: the fluid, the sediment in it, and the sediment at rest.
 struct Bodies {
-  /// `sums` must outlive the bodies. Without sediment, or without knowing what rests, those bodies are left out.
-  Bodies(const VolumeFractions& sums, double spacing, bool has_sediment, bool knows_rest);
+  /// `sums`, the sums over `set`, must outlive the bodies. The bodies of the sediment are left out if the set has none,
+  /// and the resting one if the set does not tell which sediment rests.
+  Bodies(const VolumeFractions& sums, const ClassifiedParticles& set);
 
   [[nodiscard]] ColumnLevels levels(std::size_t column) const;
 
@@ -29,9 +30,5 @@ struct Bodies {
   std::optional<ConnectedBody> sediment;
   std::optional<ConnectedBody> resting;
 };
-
-/// Whether the set holds sediment, and whether it says which of it rests.
-bool holds_sediment(const ParticleSet& particles);
-bool knows_rest(const ParticleSet& particles);
 
 }  // namespace thalweg

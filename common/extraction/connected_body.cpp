@@ -9,7 +9,7 @@ namespace {
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
-// Where a value falls through 1/2 on the way from one height to the next.
+// The height at which a value falls through 1/2 between two heights.
 double crossing(double z_full, double full, double z_less, double less) {
   return z_full + (z_less - z_full) * (full - 0.5) / (full - less);
 }
@@ -17,7 +17,7 @@ double crossing(double z_full, double full, double z_less, double less) {
 }  // namespace
 
 ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<float>& phase)
-    : sums_(sums), phase_(phase), belongs_(sums.grid.size(), false) {
+    : sums_(sums), phase_(phase), belongs_(sums.grid.size(), 0) {
   const SamplingGrid& grid = sums.grid;
   bool any_wall = false;
   std::vector<std::size_t> members;
@@ -25,7 +25,7 @@ ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<floa
     for (std::size_t k = 0; k < grid.nz; ++k) {
       const std::size_t node = grid.node(i, k);
       any_wall = any_wall || sums_.in_wall(node);
-      if (!belongs_[node] && stands_on_wall(i, k) && is_filled(node)) spread_from(node, members);
+      if (!belongs(node) && stands_on_wall(i, k) && is_filled(node)) spread_from(node, members);
     }
   }
   if (!any_wall) keep_largest();
@@ -39,7 +39,7 @@ bool ConnectedBody::stands_on_wall(std::size_t column, std::size_t row) const {
 std::size_t ConnectedBody::spread_from(std::size_t node, std::vector<std::size_t>& members) {
   const SamplingGrid& grid = sums_.grid;
   members.assign(1, node);
-  belongs_[node] = true;
+  belongs_[node] = 1;
   for (std::size_t next = 0; next < members.size(); ++next) {
     const std::size_t column = members[next] / grid.nz;
     const std::size_t row = members[next] % grid.nz;
@@ -52,8 +52,8 @@ std::size_t ConnectedBody::spread_from(std::size_t node, std::vector<std::size_t
                                                 row > 0 ? members[next] - 1 : none,
                                                 row + 1 < grid.nz ? members[next] + 1 : none};
     for (const std::size_t neighbour : neighbours) {
-      if (neighbour == none || belongs_[neighbour] || !is_filled(neighbour)) continue;
-      belongs_[neighbour] = true;
+      if (neighbour == none || belongs(neighbour) || !is_filled(neighbour)) continue;
+      belongs_[neighbour] = 1;
       members.push_back(neighbour);
     }
   }
@@ -64,16 +64,16 @@ void ConnectedBody::keep_largest() {
   std::vector<std::size_t> members;
   std::vector<std::size_t> largest;
   for (std::size_t node = 0; node < belongs_.size(); ++node) {
-    if (belongs_[node] || !is_filled(node)) continue;
+    if (belongs(node) || !is_filled(node)) continue;
     if (spread_from(node, members) > largest.size()) largest.swap(members);
   }
-  std::fill(belongs_.begin(), belongs_.end(), false);
-  for (const std::size_t node : largest) belongs_[node] = true;
+  std::fill(belongs_.begin(), belongs_.end(), 0);
+  for (const std::size_t node : largest) belongs_[node] = 1;
 }
 
 std::size_t ConnectedBody::highest_row(std::size_t column) const {
   for (std::size_t k = sums_.grid.nz; k-- > 0;) {
-    if (belongs_[sums_.grid.node(column, k)]) return k;
+    if (belongs(sums_.grid.node(column, k))) return k;
   }
   return none;
 }
@@ -93,7 +93,7 @@ double ConnectedBody::base(std::size_t column) const {
   if (k == none) return absent;
   std::size_t lowest_of_body = k;
   while (k > 0 && !sums_.in_wall(grid.node(column, k))) {
-    if (belongs_[grid.node(column, k)]) lowest_of_body = k;
+    if (belongs(grid.node(column, k))) lowest_of_body = k;
     --k;
   }
   if (!sums_.in_wall(grid.node(column, k))) {

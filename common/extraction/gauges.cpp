@@ -59,8 +59,8 @@ double at_column(const std::vector<double>& xs, const std::vector<double>& value
   return std::isnan(between) ? values[share < 0.5 ? r - 1 : r] : between;
 }
 
-/// What of a water level's surroundings is looked at [m] to both sides: bodies that meet within it count as one, drops
-/// between do not.
+/// Half the width [m] of the surroundings in which a water level is looked for: bodies that meet within them count as
+/// one, drops between them do not count.
 double level_window(double spacing) { return 6 * spacing; }
 
 /// The direction in which a gauge's plane has no extent.

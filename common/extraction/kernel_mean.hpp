@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "common/extraction/volume_fraction.hpp"
+#include "common/extraction/parts.hpp"
 #include "physics/kernel.hpp"
 
 namespace thalweg {

@@ -4,17 +4,15 @@
 #include <cmath>
 #include <optional>
 
-#include "common/error.hpp"
 #include "common/extraction/bodies.hpp"
 #include "common/extraction/volume_fraction.hpp"
-#include "common/extraction/wall_runs.hpp"
 
 namespace thalweg {
 namespace {
 
 // The plane's grid: over the settings' range, narrowed to the particles, with the kernel's reach around the fluid.
-std::optional<SamplingGrid> grid_around(const ParticleSet& particles, const ExtractionSettings& settings,
-                                        const WallRuns& walls) {
+std::optional<SamplingGrid> grid_around(const ClassifiedParticles& set, const ExtractionSettings& settings) {
+  const ParticleSet& particles = set.particles;
   const double spacing = particles.info.spacing;
   const double reach = 2 * particles.info.smoothing_length + spacing;
   const double infinite = std::numeric_limits<double>::infinity();
@@ -30,8 +28,8 @@ std::optional<SamplingGrid> grid_around(const ParticleSet& particles, const Extr
   double x_from = std::max(low.x() - spacing, settings.x_from);
   double x_to = std::min(high.x() + spacing, settings.x_to);
   if (settings.narrow_to_walls) {
-    x_from = std::max(x_from, walls.open_from);
-    x_to = std::min(x_to, walls.open_to);
+    x_from = std::max(x_from, set.walls.open_from);
+    x_to = std::min(x_to, set.walls.open_to);
   }
   const double z_from = std::max(low.z() - reach, settings.z_from);
   const double z_to = std::min(high.z() + reach, settings.z_to);
@@ -42,20 +40,16 @@ std::optional<SamplingGrid> grid_around(const ParticleSet& particles, const Extr
 }  // namespace
 
 ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionSettings& settings) {
-  const double spacing = particles.info.spacing;
-  if (!(spacing > 0) || !(particles.info.smoothing_length > 0)) {
-    throw InputError("the particle file does not say its spacing and smoothing length; write it with thalweg-solver");
-  }
-  ExtractedProfile result;
-  const bool has_sediment = holds_sediment(particles);
-  const bool has_rest = knows_rest(particles);
+  return extract_profile(ClassifiedParticles(particles, settings.rest_speed), settings);
+}
 
-  const WallRuns walls = find_wall_runs(particles, spacing);
-  const std::optional<SamplingGrid> found = grid_around(particles, settings, walls);
+ExtractedProfile extract_profile(const ClassifiedParticles& set, const ExtractionSettings& settings) {
+  ExtractedProfile result;
+  const std::optional<SamplingGrid> found = grid_around(set, settings);
   if (!found) return result;
   const SamplingGrid& grid = *found;
-  const VolumeFractions sums = sum_volume_fractions(particles, parts_of(particles, settings.rest_speed), walls, grid);
-  const Bodies bodies(sums, spacing, has_sediment, has_rest);
+  const VolumeFractions sums = sum_volume_fractions(set, grid);
+  const Bodies bodies(sums, set);
 
   Profile& profile = result.profile;
   for (std::size_t i = grid.first_x % 2 == 0 ? 0 : 1; i < grid.nx; i += 2) {  // every second node: multiples of dp
@@ -63,8 +57,8 @@ ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionS
     profile.x.push_back(grid.x(i));
     profile.free_surface.push_back(levels.free_surface);
     result.floor.push_back(levels.floor);
-    if (has_sediment) profile.bed.push_back(levels.bed);
-    if (has_rest) profile.moving_bed.push_back(levels.motionless_bed);
+    if (set.has_sediment) profile.bed.push_back(levels.bed);
+    if (set.rest_is_known) profile.moving_bed.push_back(levels.motionless_bed);
   }
   result.front = water_front(profile, result.floor, bodies.least_thickness);
   return result;

@@ -10,7 +10,7 @@
 
 namespace thalweg {
 
-/// Where and how profiles are taken. The x grid has the particles' spacing dp and lies at multiples of it.
+/// The range and the method of profiles. The x grid has the particles' spacing dp and lies at multiples of it.
 struct ExtractionSettings {
   double x_from = -std::numeric_limits<double>::infinity();  // [m] narrowed to where the walls leave room for a flow
   double x_to = std::numeric_limits<double>::infinity();     // [m]
@@ -21,7 +21,7 @@ struct ExtractionSettings {
   double rest_speed = 0.01;     // [m/s] slower sediment rests; where there is State, deposits only
 };
 
-/// A profile and what it was measured from.
+/// A profile with the floor under it and the water's front.
 struct ExtractedProfile {
   Profile profile;            // without sediment in the set, `bed` and `moving_bed` are empty
   std::vector<double> floor;  // [m] per x: the wall under the fluid; NaN where there is none
@@ -44,11 +44,13 @@ struct ExtractedProfile {
 /// has the volume of its lattice cell; without State and Velocity there is no moving bed. Throws InputError when
 /// spacing or smoothing length are missing.
 ExtractedProfile extract_profile(const ParticleSet& particles, const ExtractionSettings& settings);
+/// The same of a set that has been classified with `settings.rest_speed`.
+ExtractedProfile extract_profile(const ClassifiedParticles& set, const ExtractionSettings& settings);
 
-/// What a column without a value says about the water there.
+/// The meaning of a column without a value for the water there.
 enum class MissingColumn {
-  dry,     // a model knows all columns
-  unknown  // a measurement ends somewhere
+  dry,     // of a model, which knows all columns
+  unknown  // of a measurement, which ends somewhere
 };
 
 /// Tip of the water: the largest x at which water is deeper than `least_depth` [m], interpolated between columns.

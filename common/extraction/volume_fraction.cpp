@@ -1,6 +1,7 @@
 #include "common/extraction/volume_fraction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -23,17 +24,14 @@ IndexRange indices_within(double coordinate, double reach, double step, long ori
   return {clip(std::ceil((coordinate - reach) / step)), clip(std::floor((coordinate + reach) / step) + 1)};
 }
 
-std::size_t nodes_between(long first, double to, double step) {
-  return static_cast<std::size_t>(std::max(0L, std::lround(std::ceil(to / step)) - first + 1));
-}
-long node_below(double coordinate, double step) { return std::lround(std::floor(coordinate / step)); }
-
-// One particle's shares along a column: `height` [m] of node 0 over the particle, `aside2` [m^2] squared distance of
-// the column. Without a branch, for the compiler to take several nodes at a time.
+// Adds one particle's shares along a column: `height` [m] of node 0 over the particle, `aside2` [m^2] squared distance
+// of the column. The loop has no branch and counts in int, which is a float in one instruction, so that the compiler
+// takes several nodes at a time; nodes out of reach get 0.
 template <class Kernel>
 void add_along_column(float* nodes, IndexRange rows, const Kernel& kernel, float volume, float height, float step,
                       float aside2) {
-  for (std::size_t k = rows.begin; k < rows.end; ++k) {
+  const int end = static_cast<int>(rows.end);
+  for (int k = static_cast<int>(rows.begin); k < end; ++k) {
     const float dz = height + step * static_cast<float>(k);
     nodes[k] += volume * kernel.value(kernel.closeness(std::sqrt(aside2 + dz * dz)));
   }
@@ -43,63 +41,74 @@ void add_along_column(float* nodes, IndexRange rows, const Kernel& kernel, float
 template <int Dim>
 class Scatter {
  public:
-  Scatter(VolumeFractions& sums, const ParticleSet& particles, const std::vector<Part>& parts, const WallRuns& walls)
+  Scatter(VolumeFractions& sums, const ClassifiedParticles& set)
       : sums_(sums),
-        particles_(particles),
-        parts_(parts),
-        walls_(walls),
-        kernel_(static_cast<float>(particles.info.smoothing_length)),
-        reach_(2 * particles.info.smoothing_length),
-        lattice_volume_(static_cast<float>(std::pow(particles.info.spacing, Dim))),
-        has_volumes_(!particles.mass.empty() && !particles.density.empty()) {}
+        particles_(set.particles),
+        parts_(set.parts),
+        walls_(set.walls),
+        kernel_(static_cast<float>(particles_.info.smoothing_length)),
+        reach_(2 * particles_.info.smoothing_length),
+        lattice_volume_(static_cast<float>(std::pow(particles_.info.spacing, Dim))),
+        has_volumes_(!particles_.mass.empty() && !particles_.density.empty()) {}
 
   void add(std::size_t b, std::size_t first_column, std::size_t last_column) {
     const SamplingGrid& grid = sums_.grid;
     const Vec3& at = particles_.position[b];
+    const bool plane = grid.is_plane();
+    if (Dim == 3 && plane && std::abs(grid.plane_y - at.y()) > reach_) return;
     const IndexRange across = indices_within(at.x(), reach_, grid.step, grid.first_x, first_column, last_column);
-    const bool plane = grid.ny == 1;
     const IndexRange along =
         plane ? IndexRange{0, 1} : indices_within(at.y(), reach_, grid.step, grid.first_y, 0, grid.ny);
-    for (std::size_t i = across.begin; i < across.end; ++i) {
-      const double dx = grid.x(i) - at.x();
-      for (std::size_t j = along.begin; j < along.end; ++j) {
-        const double dy = Dim == 2 ? 0 : grid.y(j) - at.y();
-        add_to_column(b, grid.column(i, j), dx * dx + dy * dy);
+    const IndexRange rows = indices_within(at.z(), reach_, grid.step, grid.first_z, 0, grid.nz);
+    for (const Target& target : targets_of(b, rows)) {
+      if (target.rows.begin >= target.rows.end) continue;
+      for (std::size_t i = across.begin; i < across.end; ++i) {
+        const double dx = grid.x(i) - at.x();
+        for (std::size_t j = along.begin; j < along.end; ++j) {
+          const double dy = Dim == 2 ? 0 : grid.y(j) - at.y();
+          add_to_column(b, target, grid.column(i, j), dx * dx + dy * dy);
+        }
       }
     }
   }
 
  private:
-  void add_to_column(std::size_t b, std::size_t column, double aside2) {
-    const double left = reach_ * reach_ - aside2;
-    if (left <= 0) return;
-    const SamplingGrid& grid = sums_.grid;
-    const double z = particles_.position[b].z();
-    const IndexRange rows = indices_within(z, std::sqrt(left), grid.step, grid.first_z, 0, grid.nz);
-    const std::size_t base = grid.node(column, 0);
-    const auto add = [&](std::vector<float>& field, IndexRange range) {
-      add_along_column(&field[base], range, kernel_, volume_of(b), static_cast<float>(grid.z(0) - z),
-                       static_cast<float>(grid.step), static_cast<float>(aside2));
+  // A sum to which a particle contributes, and the rows of its nodes.
+  struct Target {
+    std::vector<float>& sum;
+    IndexRange rows;
+  };
+
+  [[nodiscard]] std::array<Target, 2> targets_of(std::size_t b, IndexRange rows) {
+    const auto all_in = [&](std::vector<float>& sum) {
+      return std::array{Target{sum, rows}, Target{sum, {rows.end, rows.end}}};
     };
     switch (parts_[b]) {
       case Part::water:
-        return add(sums_.fluid, rows);
+        return all_in(sums_.fluid);
       case Part::moving_sediment:
-        return add(sums_.sediment, rows);
+        return all_in(sums_.sediment);
       case Part::resting_sediment:
-        return add(sums_.resting, rows);
-      case Part::wall: {
-        // A node exactly a spacing below the face belongs to the floor, whichever way its height was rounded.
-        const double depth = 1.01 * particles_.info.spacing;
-        std::size_t floor_from = rows.begin;
-        while (floor_from < rows.end && walls_.top[b] > grid.z(floor_from) + depth) ++floor_from;
-        add(sums_.side, {rows.begin, floor_from});
-        add(sums_.floor, {floor_from, rows.end});
-      }
+        return all_in(sums_.resting);
+      case Part::wall:
+        break;
     }
+    // A node exactly a spacing below the face belongs to the floor, whichever way its height was rounded.
+    const double depth = 1.01 * particles_.info.spacing;
+    std::size_t floor_from = rows.begin;
+    while (floor_from < rows.end && walls_.top[b] > sums_.grid.z(floor_from) + depth) ++floor_from;
+    return {Target{sums_.side, {rows.begin, floor_from}}, Target{sums_.floor, {floor_from, rows.end}}};
   }
 
-  // The volume of a wall particle is its lattice cell: mass and density of dummy particles mean something else.
+  void add_to_column(std::size_t b, const Target& target, std::size_t column, double aside2) {
+    if (aside2 >= reach_ * reach_) return;
+    const SamplingGrid& grid = sums_.grid;
+    add_along_column(&target.sum[grid.node(column, 0)], target.rows, kernel_, volume_of(b),
+                     static_cast<float>(grid.z(0) - particles_.position[b].z()), static_cast<float>(grid.step),
+                     static_cast<float>(aside2));
+  }
+
+  // A wall particle has the volume of its lattice cell, because its mass and density are not those of a material.
   [[nodiscard]] float volume_of(std::size_t b) const {
     const bool known = parts_[b] != Part::wall && has_volumes_ && particles_.density[b] > 0;
     return known ? particles_.mass[b] / particles_.density[b] : lattice_volume_;
@@ -116,77 +125,23 @@ class Scatter {
 };
 
 template <int Dim>
-void add_all(VolumeFractions& sums, const ParticleSet& particles, const std::vector<Part>& parts, const WallRuns& walls,
-             std::span<const std::size_t> which, std::size_t first_column, std::size_t last_column) {
-  Scatter<Dim> scatter(sums, particles, parts, walls);
+void add_all(VolumeFractions& sums, const ClassifiedParticles& set, std::span<const std::size_t> which,
+             std::size_t first_column, std::size_t last_column) {
+  Scatter<Dim> scatter(sums, set);
   for (const std::size_t b : which) scatter.add(b, first_column, last_column);
 }
 
 }  // namespace
 
-SamplingGrid make_slice_grid(double step, double x_from, double x_to, double z_from, double z_to, double y) {
-  SamplingGrid grid = make_volume_grid(step, {x_from, y, z_from}, {x_to, y, z_to});
-  grid.ny = 1;
-  grid.plane_y = y;
-  return grid;
-}
-
-SamplingGrid make_volume_grid(double step, const Vec3& from, const Vec3& to) {
-  SamplingGrid grid;
-  grid.step = step;
-  grid.first_x = node_below(from.x(), step);
-  grid.first_y = node_below(from.y(), step);
-  grid.first_z = node_below(from.z(), step);
-  grid.nx = nodes_between(grid.first_x, to.x(), step);
-  grid.ny = nodes_between(grid.first_y, to.y(), step);
-  grid.nz = nodes_between(grid.first_z, to.z(), step);
-  return grid;
-}
-
-std::vector<Part> parts_of(const ParticleSet& particles, double rest_speed) {
-  const bool states = has_sediment_states(particles);
-  const auto rests = [&](std::size_t i) {
-    if (states && particles.state[i] != SedimentState::deposit) return false;
-    if (particles.velocity.empty()) return states;
-    return particles.velocity[i].norm() < rest_speed;
-  };
-  std::vector<Part> parts(particles.size(), Part::water);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (is_wall(particles.type[i])) parts[i] = Part::wall;
-    if (particles.type[i] == ParticleType::sediment)
-      parts[i] = rests(i) ? Part::resting_sediment : Part::moving_sediment;
-  }
-  return parts;
-}
-
-bool has_sediment_states(const ParticleSet& particles) {
-  for (std::size_t i = 0; i < particles.state.size(); ++i) {
-    if (particles.type[i] == ParticleType::sediment && particles.state[i] != SedimentState::none) return true;
-  }
-  return false;
-}
-
 VolumeFractions::VolumeFractions(const SamplingGrid& nodes) : grid(nodes) {
   for (auto* field : {&fluid, &sediment, &resting, &floor, &side}) field->assign(grid.size(), 0);
 }
 
-double VolumeFractions::open_share(std::size_t node) const {
-  constexpr double least = 0.25;  // reached only inside walls, where nothing is evaluated
-  return std::max(1 - double{side[node]}, least);
-}
-
-double VolumeFractions::with_walls(const std::vector<float>& phase, std::size_t node) const {
-  return (double{phase[node]} + double{floor[node]}) / open_share(node);
-}
-
-double VolumeFractions::wall_share(std::size_t node) const { return std::max(double{side[node]}, floor_alone(node)); }
-
-void add_volume_fractions(VolumeFractions& sums, const ParticleSet& particles, const std::vector<Part>& parts,
-                          const WallRuns& walls, std::span<const std::size_t> which, std::size_t first_column,
-                          std::size_t last_column) {
-  const auto add = particles.info.dimension == 2 ? add_all<2> : add_all<3>;
-  add(sums, particles, parts, walls, which, first_column, last_column);
-  // Summed apart; from here on each includes the next.
+void add_volume_fractions(VolumeFractions& sums, const ClassifiedParticles& set, std::span<const std::size_t> which,
+                          std::size_t first_column, std::size_t last_column) {
+  const auto add = set.particles.info.dimension == 2 ? add_all<2> : add_all<3>;
+  add(sums, set, which, first_column, last_column);
+  // The three were summed apart. Now fluid includes sediment, and sediment includes what rests.
   const SamplingGrid& grid = sums.grid;
   for (std::size_t node = grid.node(grid.column(first_column, 0), 0); node < grid.node(grid.column(last_column, 0), 0);
        ++node) {
@@ -195,12 +150,11 @@ void add_volume_fractions(VolumeFractions& sums, const ParticleSet& particles, c
   }
 }
 
-VolumeFractions sum_volume_fractions(const ParticleSet& particles, const std::vector<Part>& parts,
-                                     const WallRuns& walls, const SamplingGrid& grid) {
+VolumeFractions sum_volume_fractions(const ClassifiedParticles& set, const SamplingGrid& grid) {
   VolumeFractions sums(grid);
-  std::vector<std::size_t> all(particles.size());
+  std::vector<std::size_t> all(set.particles.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  add_volume_fractions(sums, particles, parts, walls, all, 0, grid.nx);
+  add_volume_fractions(sums, set, all, 0, grid.nx);
   return sums;
 }
 

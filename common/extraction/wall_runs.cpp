@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "common/extraction/volume_fraction.hpp"
+#include "common/extraction/parts.hpp"
 
 namespace thalweg {
 namespace {
@@ -32,7 +32,7 @@ WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
   }
   if (columns.empty()) return runs;
 
-  // A lifted gate does not make the flume's walls low: what moves bounds the flow only where nothing stands still.
+  // A lifted gate must not make the flume's walls look low: moving walls bound the flow only if there is no fixed one.
   const bool any_fixed =
       std::find(particles.type.begin(), particles.type.end(), ParticleType::wall) != particles.type.end();
   const auto bounds_flow = [&](std::size_t i) { return !any_fixed || particles.type[i] == ParticleType::wall; };

@@ -7,8 +7,8 @@
 
 namespace thalweg {
 
-/// How far up the wall goes that a wall particle belongs to: the wall is cut into columns one spacing wide, and within
-/// a column particles closer than two spacings form one run (nothing fits between them).
+/// The top of the wall that each wall particle belongs to. The wall is cut into columns one spacing wide; within a
+/// column, particles closer than two spacings form one run (nothing fits between them).
 struct WallRuns {
   std::vector<double> top;  // [m] per particle of the set: highest point of its run; NaN for particles that are no wall
 

@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "case/reader/case_file.hpp"
 #include "common/error.hpp"
 #include "postproc/constants.hpp"
 #include "postproc/extraction_run.hpp"
-#include "postproc/figures.hpp"
+#include "postproc/figures/figure_writer.hpp"
+#include "postproc/figures/script_template.hpp"
 #include "postproc/gnuplot.hpp"
+#include "postproc/measure_settings.hpp"
 #include "postproc/run_records.hpp"
-#include "postproc/snapshot_measures.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
 namespace thalweg {
@@ -92,6 +94,14 @@ TEST(Figures, FrameHoldsAllCurvesAndFolderNamesArePlain) {
   EXPECT_DOUBLE_EQ(frame_around({set}, -0.5, 0.7).x_to, 0.7);
   EXPECT_EQ(folder_name_of("OpenFOAM 10 mm"), "openfoam_10_mm");
   EXPECT_EQ(folder_name_of("../.."), "source");
+}
+
+TEST(ScriptTemplate, NeedsAValueForEachPlaceholderAndAPlaceholderForEachValue) {
+  EXPECT_EQ(fill_template("plot {{data}} using {{x}}:{{x}}\n", {{"data", "'a.csv'"}, {"x", "{{1}}"}}),
+            "plot 'a.csv' using {{1}}:{{1}}\n");
+  EXPECT_THROW(fill_template("plot {{data}}", {}), std::logic_error);
+  EXPECT_THROW(fill_template("plot {{data", {{"data", "x"}}), std::logic_error);
+  EXPECT_THROW(fill_template("plot x", {{"data", "x"}}), std::logic_error);
 }
 
 TEST(Gnuplot, AFailingScriptIsReportedWithItsMessage) {
