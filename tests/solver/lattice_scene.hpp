@@ -4,7 +4,7 @@
 #include <random>
 
 #include "common/particles.hpp"
-#include "solver/state/scene.hpp"
+#include "solver/models/all.hpp"
 
 // Small scenes made by hand for the solver's tests: 2-D and 3-D lattices, with or without jitter, periodic or not.
 namespace thalweg::test {

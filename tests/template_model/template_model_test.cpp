@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
+#include <algorithm>
 
 #include "case/reader/declare.hpp"
 #include "case/reader/read_tables.hpp"
@@ -90,7 +90,8 @@ TYPED_TEST(TemplateModelOn, CarriesItsArrayThroughStepsSnapshotsAndRestarts) {
   const double second = run<TypeParam>(continued, 5);
   const ParticleSet after = continued.snapshot();
   for (std::size_t i = 0; i < after.size(); ++i) {
-    if (after.type[i] == ParticleType::water) EXPECT_NEAR(after.scalars.at("Tracer")[i], 1 + first + second, 1e-6);
+    const double expected = after.type[i] == ParticleType::water ? 1 + first + second : 1;
+    EXPECT_NEAR(after.scalars.at("Tracer")[i], expected, 1e-6);
   }
 }
 
@@ -118,9 +119,9 @@ TYPED_TEST(TemplateModelOn, GivesNewbornParticlesTheDeclaredValue) {
   rebuild_lists(on, p, scene, population);
   const auto ids = on.download(p.id);
   const auto tracers = on.download(p.tracer);
-  for (Index i = 0; i < p.count; ++i) {
-    if (ids[i] == 1000000) EXPECT_EQ(tracers[i], 3);
-  }
+  const auto born = std::find(ids.begin(), ids.end(), 1000000);
+  ASSERT_NE(born, ids.end());
+  EXPECT_EQ(tracers[static_cast<std::size_t>(born - ids.begin())], 3);
 }
 
 }  // namespace
