@@ -9,16 +9,6 @@
 
 namespace thalweg {
 
-YieldFit Model::plane_strain_fit() const {
-  switch (yield) {
-    case YieldCriterion::drucker_prager:
-      return yield_fit;
-    case YieldCriterion::mohr_coulomb:
-      return YieldFit::sine;
-  }
-  return yield_fit;
-}
-
 void Model::set_defaults(const GivenWords& given) {
   switch (given.choice<Implementation>("model.implementation").value_or(Implementation::consistent)) {
     case Implementation::consistent:

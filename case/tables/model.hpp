@@ -30,10 +30,6 @@ struct Model {
   SeepageModel seepage = SeepageModel::off;
   PorePressureModel pore_pressure = PorePressureModel::off;
 
-  /// The formula that turns the friction angle into the yield stress's coefficient in plane strain. With Mohr-Coulomb
-  /// there is only one.
-  [[nodiscard]] YieldFit plane_strain_fit() const;
-
   template <class V>
   void describe(V& v) {
     v.choice("sediment", sediment, "How sediment moves.");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "case/case.hpp"
 #include "case/reader/declare.hpp"
 #include "case/reader/read_tables.hpp"
 #include "common/error.hpp"
@@ -18,10 +19,10 @@ namespace {
 
 using test::GuardedRuntime;
 
-struct CaseWithTracer {
+/// A case with the table; a table of the project is a member of Case.
+struct CaseWithTracer : Case {
   TracerTable tracer;
   static constexpr auto tables() { return std::tuple{&CaseWithTracer::tracer}; }
-  [[nodiscard]] static int dimension() { return 2; }
 };
 
 TracerTable read_table(const std::string& text) {

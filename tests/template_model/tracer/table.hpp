@@ -18,8 +18,7 @@ struct TracerTable {
     v.quantity("start", start, "s", 0, 1e9, "Value of the tracer at the start.");
   }
 
-  template <class C>
-  void check(const C&, const CheckContext& at) const {
+  void check(const Case&, const CheckContext& at) const {
     if (!on && start != 0) at.reject(at.key("start"), "tracer.start means nothing without a tracer", "write on = true");
   }
 };
