@@ -57,6 +57,12 @@ struct GuardedRuntime {
     return n;
   }
   static void wait() {}
+
+  /// Narrower access to some memory while the device works (PROT_NONE, PROT_READ): for tests of what bodies touch.
+  static std::map<const void*, int>& limits() {
+    static std::map<const void*, int> all;
+    return all;
+  }
   static void atomic_add(std::int64_t* counter, std::int64_t amount) { *counter += amount; }
 
   template <class Body>
@@ -177,7 +183,10 @@ struct GuardedRuntime {
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;
     static void protect(int access) {
-      for (const auto& [memory, block] : blocks()) mprotect(block.begin, block.bytes, access);
+      for (const auto& [memory, block] : blocks()) {
+        const auto limit = limits().find(memory);
+        mprotect(block.begin, block.bytes, limit == limits().end() ? access : access & limit->second);
+      }
     }
   };
 };

@@ -10,18 +10,18 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bench"))
 from study.origin import commit  # noqa: E402
 from study.tables import markdown, text_rows  # noqa: E402
 
-HEAD = """# Stability: what the suite tries to break, and what came of it
+HEAD = """# Stability: the tests of the suite and their results
 
-This page is written by the target `stability-page` from the tables that the tests of `cases/stability/suite.toml` leave
-behind; `cases/stability/README.md` explains scenes and measures. Commit COMMIT; CPU seconds are those of one core of the
-machine it was run on.
+The target `stability-page` writes this page from the tables that the tests of `cases/stability/suite.toml` produce.
+`cases/stability/README.md` explains scenes and measures. Commit COMMIT. CPU seconds are those of one core of the machine that
+ran the suite.
 
     cmake --build build/release --target stability-page
 
 """
 COMMON = ["energy_gain", "steps", "speed", "compression"]
 NOTHING = ["water_mass", "sediment_mass", "excluded", "not_finite"]
-COLUMNS = ["case", "what it tries", "particles", "steps", "CPU s", "mass, leak, NaN", "energy gain [dp]",
+COLUMNS = ["case", "what it tests", "particles", "steps", "CPU s", "mass, leak, NaN", "energy gain [dp]",
            "steps / acoustic", "speed / fall", "compression", "further", "verdict"]
 
 
@@ -64,7 +64,7 @@ def main(suite_file, results, page):
     lines = [line_of(case, results_of(pathlib.Path(results), case["name"])) for case in suite["case"]]
     bounds = suite["every_run"]
     text = HEAD.replace("COMMIT", commit()) + "\n".join(table(lines))
-    text += "\n\nBounds in every case that has to run to its end, unless the cell says another:\n\n"
+    text += "\n\nBounds of every case that must run to its end, unless its cell gives another bound:\n\n"
     for name, bound in bounds.items():
         text += f"- {name.replace('_', ' ')} ≤ {bound['at_most']:g}: {bound['why']}.\n"
     text += "\nFurther bounds:\n\n"

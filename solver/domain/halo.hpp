@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+#include "solver/backend/buffer.hpp"
+#include "solver/backend/device.hpp"
+#include "solver/state/particles.hpp"
+#include "solver/state/scene.hpp"
+
+// Packing of fields, for copies of particles on another machine. The parts of a message follow from the declared arrays
+// (`halo`) and from the quads of the record; they go by way of the host.
+namespace thalweg {
+
+/// Particle pass: gathers entries, or quads of records.
+template <class T>
+struct PackPass {
+  using reads = Reads<field::any>;
+  using writes = Writes<>;
+  const T* from;
+  std::size_t stride;  // entries of T from one particle to the next
+  const Index* of;
+  T* to;
+  HOST_DEVICE void operator()(Index n) const { to[n] = from[of[n] * stride]; }
+};
+
+/// Particle pass: the way back.
+template <class T>
+struct UnpackPass {
+  using reads = Reads<>;
+  using writes = Writes<field::any>;
+  const T* from;
+  const Index* of;
+  std::size_t stride;
+  T* to;
+  HOST_DEVICE void operator()(Index n) const { to[of[n] * stride] = from[n]; }
+};
+
+/// A quad of a record as it travels.
+struct alignas(16) PackedQuad {
+  float v[4];
+};
+
+/// Calls part(entries, stride, example) for every part of a message with these fields: quads of the record in the order
+/// of their bits, then the arrays in the order of their declaration.
+template <int Dim, class Device, class Part>
+void for_each_halo_part(Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
+                        const Part& part) {
+  unsigned quads = 0;
+  for (const Field* field : fields) quads |= field->quad;
+  auto* records = reinterpret_cast<PackedQuad*>(p.record.data());
+  constexpr std::size_t in_record = sizeof(Record) / sizeof(PackedQuad);
+  for (std::size_t q = 0; q < in_record; ++q) {
+    if ((quads & (1U << q)) != 0) part(records + q, in_record);
+  }
+  EachArray arrays(halo, [&](const Field& field, auto& buffer, const auto&) {
+    if (std::find(fields.begin(), fields.end(), &field) != fields.end()) part(buffer.data(), std::size_t{1});
+  });
+  p.describe(scene, arrays);
+}
+
+/// Packs these fields of the particles `of`.
+template <int Dim, class Device>
+std::vector<std::byte> pack(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
+                            const std::vector<const Field*>& fields, const typename Device::template Buffer<Index>& of) {
+  std::vector<std::byte> message;
+  const auto n = static_cast<Index>(of.size());
+  for_each_halo_part(p, scene, fields, [&](auto* entries, std::size_t stride) {
+    using T = std::remove_cvref_t<decltype(*entries)>;
+    typename Device::template Buffer<T> packed;
+    packed.resize(n);
+    on.for_each(n, PackPass<T>{entries, stride, of.data(), packed.data()});
+    const auto numbers = on.download(packed);
+    const auto* bytes = reinterpret_cast<const std::byte*>(numbers.data());
+    message.insert(message.end(), bytes, bytes + n * sizeof(T));
+  });
+  return message;
+}
+
+/// Unpacks a message of the same fields into the particles `of`.
+template <int Dim, class Device>
+void unpack(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
+            const std::vector<std::byte>& message, const typename Device::template Buffer<Index>& of) {
+  std::size_t at = 0;
+  const auto n = static_cast<Index>(of.size());
+  for_each_halo_part(p, scene, fields, [&](auto* entries, std::size_t stride) {
+    using T = std::remove_cvref_t<decltype(*entries)>;
+    HostBuffer<T> numbers(n);
+    std::memcpy(numbers.data(), message.data() + at, n * sizeof(T));
+    at += n * sizeof(T);
+    typename Device::template Buffer<T> received;
+    on.upload(std::move(numbers), received);
+    on.for_each(n, UnpackPass<T>{received.data(), of.data(), stride, entries});
+  });
+}
+
+}  // namespace thalweg
