@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/pair_terms.hpp"
+#include "solver/backend/device.hpp"
 #include "solver/state/scene.hpp"
 
 namespace thalweg {

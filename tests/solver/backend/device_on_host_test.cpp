@@ -1,0 +1,81 @@
+#include <future>
+
+#include "device_steps_test.hpp"
+#include "device_verbs_test.hpp"
+#include "tests/solver/scenes.hpp"
+
+namespace thalweg::test {
+
+INSTANTIATE_TYPED_TEST_SUITE_P(OnTheHost, OnDevice, Backends, BackendNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(OnTheHost, StepsOnDevice, Backends, BackendNames);
+
+/// The scenes whose steps a GPU makes without asking the host on the way.
+std::vector<DeviceScene> resident_scenes() {
+  std::vector<DeviceScene> scenes = device_scenes();
+  std::erase_if(scenes, [](const DeviceScene& s) {
+    return std::visit(
+        [](const auto& scene) {
+          return scene.has_moving_walls || scene.sediment.effective_pressure == EffectivePressure::laplace;
+        },
+        s.scene);
+  });
+  return scenes;
+}
+
+TEST(DeviceResident, StepsWaitOnceForTheDevice) {
+  int steps = 0;
+  for (const DeviceScene& s : resident_scenes()) {
+    SCOPED_TRACE(s.name);
+    const auto simulation = simulation_on<Guarded>(s, s.particles);
+    for (int n = 0; n < s.steps; ++n) {
+      const Totals totals = simulation->totals();
+      const std::int64_t rebuilds = simulation->facts().list_rebuilds;
+      const int waits = GuardedRuntime::waits();
+      const StepReport report = simulation->advance(1e-4);
+      const int waited = GuardedRuntime::waits() - waits;
+      // New lists, their changes, and a solve that takes longer than expected, are what the host has to know of.
+      if (simulation->facts().list_rebuilds > rebuilds || simulation->totals().resting != totals.resting) continue;
+      const int expected = 1 + (report.viscous.iterations > 4 ? report.viscous.iterations : 0);
+      EXPECT_LE(waited, expected);
+      steps += waited == 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(steps, 10);
+}
+
+TEST(DeviceResident, StepsAreTheSameWhenTheyAreRepeatedAsOne) {
+  int replays = 0;
+  for (const DeviceScene& s : resident_scenes()) {
+    SCOPED_TRACE(s.name);
+    const auto repeating = simulation_on<Guarded>(s, s.particles);
+    const auto plain = std::visit(
+        [&](const auto& scene) { return Maker<Guarded>::make(scene, s.particles, s.motions, true); }, s.scene);
+    const int before = GuardedRuntime::Recording::replays();
+    for (int n = 0; n < s.steps; ++n) {
+      const StepReport a = repeating->advance(1e-4);
+      const StepReport b = plain->advance(1e-4);
+      EXPECT_EQ(a.dt, b.dt);
+      EXPECT_EQ(a.viscous.iterations, b.viscous.iterations);
+    }
+    replays += GuardedRuntime::Recording::replays() - before;
+    const ParticleSet a = repeating->full_state();
+    const ParticleSet b = plain->full_state();
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_EQ(a.velocity, b.velocity);
+  }
+  EXPECT_GT(replays, 10);
+}
+
+TEST(DeviceResident, SnapshotsAreOfTheirTimeWhileStepsGoOn) {
+  const DeviceScene s = device_scenes().back();
+  const auto simulation = simulation_on<Guarded>(s, s.particles);
+  simulation->advance(1e-4);
+  const ParticleSet then = simulation->snapshot();
+  const auto take = simulation->begin_snapshot();
+  auto taken = std::async(std::launch::async, take);
+  for (int n = 0; n < 5; ++n) simulation->advance(1e-4);
+  EXPECT_EQ(taken.get().position, then.position);
+  EXPECT_NE(simulation->snapshot().position, then.position);
+}
+
+}  // namespace thalweg::test

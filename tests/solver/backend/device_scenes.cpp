@@ -1,0 +1,141 @@
+#include "device_scenes.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "tests/solver/pvc_grains.hpp"
+
+namespace thalweg::test {
+namespace {
+
+constexpr float g = 9.81F;
+
+/// A tank 0.2 m wide with a step of sediment under water, about to slump.
+template <int Dim>
+DeviceScene tank(const std::string& name) {
+  LatticeSetup<Dim> setup;
+  if (Dim == 3) setup.length = 0.12;
+  setup.gravity.vertical() = -g;
+  Scene<Dim> scene = make_scene_of(setup);
+  scene.has_sediment = true;
+  scene.sediment.yield_coefficient = 0.6F;
+  scene.sediment.friction_tangent = 0.78F;
+  scene.sediment.regularisation = 100;
+  scene.sediment.consistency = 1e-3F;
+  scene.sediment.submerged_weight = 300 * g;
+  scene.sediment.pore_stiffness = 1000.0F * 20 * 20 / 7;
+  scene.sediment.laplace_tolerance = 0.01F;
+  const double wall = 0.03;
+  const double length = setup.length;
+  ParticleSet particles = fill_lattice(scene, [&](const Vec3& x) {
+    if (x.z() < wall || x.x() < wall || x.x() > length - wall) return ParticleType::wall;
+    return x.x() < 0.45 * length && x.z() < 0.6 * length ? ParticleType::sediment : ParticleType::water;
+  });
+  return {name, scene, std::move(particles)};
+}
+
+Scene<2>& plane(DeviceScene& s) { return std::get<Scene<2>>(s.scene); }
+
+/// Rest, bed load and suspension under a current.
+DeviceScene eroding() {
+  DeviceScene s = tank<2>("three states");
+  Scene<2>& scene = plane(s);
+  scene.has_states = scene.may_rest = true;
+  scene.rest = {0.04F, 0.06F, 3e-3F, 0.001F};
+  scene.erosion = erosion_of_pvc<2>();
+  for (std::size_t i = 0; i < s.particles.size(); ++i) {
+    if (s.particles.type[i] == ParticleType::water) s.particles.velocity[i].x() = 0.4F;
+  }
+  s.steps = 40;
+  return s;
+}
+
+/// The same between a wall that pushes and one that turns, partly out of the domain.
+DeviceScene pushed() {
+  DeviceScene s = eroding();
+  s.name = "moving walls";
+  plane(s).has_moving_walls = true;
+  auto& motion = s.particles.scalars[motion_array];
+  for (std::size_t i = 0; i < s.particles.size(); ++i) {
+    const double x = s.particles.position[i].x();
+    const bool moves = s.particles.type[i] == ParticleType::wall && (x < 0.03 || x > 0.17);
+    if (moves) s.particles.type[i] = ParticleType::moving_wall;
+    motion.push_back(moves ? (x < 0.03 ? 1.0F : 2.0F) : 0.0F);
+  }
+  s.motions = {{{{1, 0, 0}, {0, 0, 0}, false}, {{0, 0, 0, 20}}},
+               {{{0, -1, 0}, {0.185, 0, 0.1}, true}, {{1e-3, 0, 0.5}}}};
+  return s;
+}
+
+/// Grains and pore water in the same places.
+DeviceScene mixture() {
+  DeviceScene s = tank<2>("mixture");
+  Scene<2>& scene = plane(s);
+  scene.sediment_density = 1540;
+  scene.seepage.mixture = true;
+  scene.seepage.solids_at_rest = 0.55F;
+  scene.seepage.grain_diameter = 3.5e-3F;
+  scene.seepage.skeleton_stiffness = 0.55F * 540 * 20 * 20;
+  scene.fast_wave = std::sqrt(1 + 0.55 * 1000 / (0.45 * 1540));
+  ParticleSet& p = s.particles;
+  const std::size_t n = p.size();
+  const double cell = scene.spacing * scene.spacing;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (p.type[i] != ParticleType::sediment) continue;
+    p.density[i] = density_in_files(scene, kind::deposit);
+    p.mass[i] = static_cast<float>(0.55 * 1540 * cell);
+    p.id.push_back(static_cast<std::int64_t>(p.id.size()));
+    p.type.push_back(ParticleType::water);
+    p.position.push_back(p.position[i]);
+    p.velocity.push_back(p.velocity[i]);
+    p.pressure.push_back(0);
+    p.density.push_back(1000);
+    p.mass.push_back(static_cast<float>(0.45 * 1000 * cell));
+  }
+  return s;
+}
+
+DeviceScene with(DeviceScene s, const std::string& name, void (*change)(Scene<2>&)) {
+  s.name = name;
+  change(plane(s));
+  return s;
+}
+
+}  // namespace
+
+std::vector<DeviceScene> device_scenes() {
+  const DeviceScene slump = tank<2>("slump");
+  return {slump,
+          tank<3>("slump in space"),
+          eroding(),
+          pushed(),
+          mixture(),
+          with(slump, "pressure from Laplace's equation",
+               [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::laplace; }),
+          with(slump, "pressure of state", [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::eos; }),
+          with(slump, "capped viscosity", [](Scene<2>& s) { s.viscosity = ViscosityTreatment::capped; }),
+          with(slump, "wall friction", [](Scene<2>& s) { s.wall_friction = true; }),
+          with(slump, "pore pressure", [](Scene<2>& s) {
+            s.pores.on = true;
+            s.pores.consolidation = 1e-3F;
+            s.pores.stiffness = 1300.0F * 20 * 20;
+          })};
+}
+
+Difference difference(const ParticleSet& start, const ParticleSet& a, const ParticleSet& b) {
+  std::map<std::int64_t, std::size_t> in_a;
+  std::map<std::int64_t, std::size_t> in_b;
+  for (std::size_t i = 0; i < a.size(); ++i) in_a[a.id[i]] = i;
+  for (std::size_t i = 0; i < b.size(); ++i) in_b[b.id[i]] = i;
+  Difference d;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const std::size_t at_a = in_a.at(start.id[i]);
+    const std::size_t at_b = in_b.at(start.id[i]);
+    d.moved = std::max(d.moved, (a.position[at_a] - start.position[i]).norm());
+    d.apart = std::max(d.apart, (a.position[at_a] - b.position[at_b]).norm());
+    if (!a.state.empty() && a.state[at_a] != b.state[at_b]) ++d.other_states;
+  }
+  return d;
+}
+
+}  // namespace thalweg::test

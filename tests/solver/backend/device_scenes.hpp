@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/simulation/input.hpp"
+#include "tests/solver/lattice_scene.hpp"
+
+namespace thalweg::test {
+
+/// A small scene in motion, and for how many steps it is worth comparing.
+struct DeviceScene {
+  std::string name;
+  AnyScene scene;
+  ParticleSet particles;
+  int steps = 20;
+  std::vector<WallMotion> motions = {};
+};
+
+/// Scenes that together go through every pass.
+std::vector<DeviceScene> device_scenes();
+
+/// How two outcomes of a start differ, by particle.
+struct Difference {
+  double moved = 0;      // the longest way from the start [m]
+  double apart = 0;      // the largest distance between the outcomes [m]
+  int other_states = 0;  // particles in another state
+};
+Difference difference(const ParticleSet& start, const ParticleSet& a, const ParticleSet& b);
+
+}  // namespace thalweg::test
