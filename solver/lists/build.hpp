@@ -33,6 +33,16 @@ struct Write {
   }
 };
 
+/// Particle pass: copies one direction of the places into an array of its own.
+struct PlaceAlongPass {
+  using reads = Reads<field::place>;
+  using writes = Writes<>;
+  const Record* records;
+  int component;
+  std::int32_t* to;
+  HOST_DEVICE void operator()(Index i) const { to[i] = records[i].place[component]; }
+};
+
 /// The search over the particles in their present order and places, with the arrays it reads.
 template <int Dim, class Device>
 struct SearchArrays {
@@ -46,10 +56,7 @@ struct SearchArrays {
     for (int k = 0; k < Dim; ++k) {
       places[k].resize(p.count + filter_overrun);
       search.places[k] = places[k].data();
-      std::int32_t* to = places[k].data();
-      const Record* from = p.record.data();
-      on.for_each(p.count, declare<Reads<field::place>, Writes<>>(
-                               [=] HOST_DEVICE(Index i) { to[i] = from[i].place[axis<Dim>(k)]; }));
+      on.for_each(p.count, PlaceAlongPass{p.record.data(), axis<Dim>(k), places[k].data()});
     }
   }
 };
