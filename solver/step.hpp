@@ -15,7 +15,7 @@
 // them over (models/stages.hpp).
 namespace thalweg {
 
-/// What the stages of a step work with.
+/// The context of a step: the stages work with its members.
 template <int Dim, class Device>
 struct Step {
   static constexpr int dimension = Dim;
@@ -133,9 +133,9 @@ void end_step(Step<Dim, Device>& s) {
   s.on.skip_unless(nullptr);
 }
 
-/// What the launches of a step depend on beside numbers on the device; 0 where that is something else every time, or
-/// the host has to look at the device meanwhile. The first step with new lists is one of those, and grows the buffers
-/// that later ones use.
+/// The key of a step's launches: equal keys mean equal launches but for numbers on the device. 0 if they differ every
+/// time, or if the host has to read from the device meanwhile. The first step with new lists has 0, and grows the
+/// buffers that later steps use.
 template <int Dim, class Device>
 std::uint64_t launches_key(Step<Dim, Device>& s) {
   constexpr Index most_particles = 500000;  // with more, launching is quick beside what is launched

@@ -37,7 +37,7 @@ struct CacheLineAllocator {
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
-  /// What resize() adds.
+  /// Constructs an entry that resize() adds: uninitialised.
   template <class U>
   void construct(U* at) {
     ::new (static_cast<void*>(at)) U;

@@ -64,7 +64,7 @@ struct CudaRuntime {
     check_cuda(cudaMallocAsync(&p, bytes, stream()), "allocating memory");
     return p;
   }
-  /// What another thread has copied aside it gives back beside the launches, which may be being recorded.
+  /// The snapshot thread frees its buffers on the copy stream, because the compute stream may be capturing a graph.
   static void release(void* p) noexcept {
     const bool launching = std::this_thread::get_id() == memory().thread;
     if (p != nullptr) cudaFreeAsync(p, launching ? stream() : memory().beside);  // no use in checking here
@@ -166,8 +166,8 @@ struct CudaRuntime {
       if (graph_ != nullptr) cudaGraphExecDestroy(graph_);  // nothing to be done about a failure in a destructor
     }
 
-    /// What what() launches; nothing but launches may be asked for. A graph of the same kernels takes over what they
-    /// are given, which is cheaper than to make a new one.
+    /// Records the launches of what(), which may ask for nothing but launches. A graph of the same kernels takes over
+    /// their new arguments, which is cheaper than to make a new graph.
     template <class What>
     void record(const What& what) {
       cudaGraph_t launches = nullptr;

@@ -21,7 +21,7 @@ std::string cure_of_driver() {
          "; install a newer NVIDIA driver, or build with an older CUDA Toolkit";
 }
 
-/// What a user can do about an error; empty where nothing is known.
+/// The cure of an error, in a user's words; empty if none is known.
 std::string cure(cudaError_t status) {
   switch (status) {
     case cudaErrorInsufficientDriver:

@@ -50,7 +50,7 @@ concept SweepBody = DeclaresNeighbours<Body> &&
   body.end(i, sum);
 };
 
-/// What every backend offers; the verbs that take bodies are checked where they are called.
+/// The verbs that every backend offers. Those that take bodies are checked where they are called.
 template <class D>
 concept Device = requires(D on, typename D::template Buffer<float>& numbers,
                           typename D::template Buffer<Index>& indices, typename D::template Buffer<std::uint64_t>& keys,
@@ -71,7 +71,7 @@ concept Device = requires(D on, typename D::template Buffer<float>& numbers,
   on.finish();
 };
 
-/// What a body declares; nothing of one that declares nothing, which the checks below refuse.
+/// The fields that a body declares. A body without declarations has none, and the checks below refuse it.
 template <class Body>
 consteval Access declared_access() {
   Access access;

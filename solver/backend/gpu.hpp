@@ -136,7 +136,7 @@ class Gpu {
     Runtime::select(n, candidate, keep, kept.data(), count);
   }
 
-  /// What a filter finds, one at a time here.
+  /// A find of a filter: one index at a time on a GPU.
   struct Hit {
     Index j;
     HOST_DEVICE static Index count() { return 1; }

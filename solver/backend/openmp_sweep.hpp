@@ -5,7 +5,7 @@
 #include <bit>
 #include <type_traits>
 
-#include "solver/backend/pack.hpp"
+#include "solver/backend/quad.hpp"
 #include "solver/state/cluster_list.hpp"
 #include "solver/state/pair_geometry.hpp"
 

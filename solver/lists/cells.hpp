@@ -18,7 +18,7 @@ HOST_DEVICE inline Vec<Dim, std::uint32_t> cell_of(const Lattice<Dim>& lattice, 
   return cell;
 }
 
-/// Where the particles of each list cell begin and end, over the box of occupied cells.
+/// First and last particle of each list cell, over the box of occupied cells.
 template <int Dim>
 struct CellTable {
   Vec<Dim, std::int64_t> low{};

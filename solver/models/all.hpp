@@ -96,7 +96,7 @@ struct Scene : detail::SceneOf<Dim, AllModels> {};
 template <class Device>
 struct Particles : detail::ParticlesOf<Device, AllModels> {};
 
-/// What the step keeps between calls beside the particles.
+/// State of the step that lives between calls, beside the particles.
 template <class Device>
 struct Workspace : detail::WorkspaceOf<Device, AllModels> {
   typename Device::template Buffer<StepState> state;  // one, of the step under way

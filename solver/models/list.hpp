@@ -25,7 +25,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels =
-    ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel>;
+using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
+                            StatesModel, RestModel>;
 
 }  // namespace thalweg

@@ -8,7 +8,7 @@
 // which fills its own members of the scene. Models are made in the order of their list (models/all.hpp).
 namespace thalweg {
 
-/// What a scene is made from.
+/// The source of a scene.
 struct SceneSource {
   const Case& of;
   const ParticleSet& particles;  // as filled; bounds and counts depend on them

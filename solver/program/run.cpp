@@ -14,6 +14,7 @@
 #include "case/reader/case_file.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/units.hpp"
+#include "solver/program/announce.hpp"
 #include "solver/program/diagnosis.hpp"
 #include "solver/program/progress.hpp"
 #include "solver/program/run_output.hpp"
@@ -49,16 +50,6 @@ Case read_resolved_case(const RunOptions& options) {
   return c;
 }
 
-/// What goes beyond the paper is said, lest a result be taken for the paper's model.
-void announce_seepage(const Case& c) {
-  if (c.model.seepage == SeepageModel::mixture) {
-    spdlog::info("model.seepage = mixture: the bed is grains and pore water, joined by Ergun's drag");
-  }
-  if (c.model.pore_pressure == PorePressureModel::diffusion) {
-    spdlog::info("model.pore_pressure = diffusion: excess pore pressure weakens the bed");
-  }
-}
-
 ParticleSet read_start(const RunOptions& options, const Case& c) {
   const auto file = options.restart.empty() ? RunFolder{options.folder}.particles() : options.restart;
   ParticleSet particles = read_particles(file);
@@ -79,37 +70,7 @@ ParticleSet read_start(const RunOptions& options, const Case& c) {
   return particles;
 }
 
-/// Says what a choice means that is not the usual one.
-template <class Word>
-void announce(const char* key, const Word& choice, const Word& usual) {
-  if (choice == usual) return;
-  for (const auto& word : choices(choice)) {
-    if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
-  }
-}
-
-/// Says which choices of the sediment's model are not the default ones, and what they are worth.
-void announce_choices(const Case& c) {
-  announce("model.sediment", c.model.sediment, SedimentModel::viscoplastic);
-  announce("model.implementation", c.model.implementation, Model{}.implementation);
-  announce("model.effective_pressure", c.model.effective_pressure, Model{}.effective_pressure);
-  announce("model.yield", c.model.yield, Model{}.yield);
-  announce("model.rheology", c.model.rheology, Model{}.rheology);
-  if (c.model.sediment == SedimentModel::three_state) {
-    announce("model.bed_shear", c.model.bed_shear, Model{}.bed_shear);
-  }
-  announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
-}
-
-/// The sound speed follows from the speed that the case expects.
-void warn_of_fast_walls(const Case& c, const ParticleSet& start) {
-  const double speed = largest_wall_speed(c, start);
-  if (speed <= c.numerics.maximum_speed) return;
-  spdlog::warn("walls move with up to {:.3g} m/s, and numerics.maximum_speed is {:.3g} m/s: {}", speed,
-               c.numerics.maximum_speed, "the water's density will vary by more than a percent; raise it");
-}
-
-/// The run itself: steps, and what is due between them.
+/// The run: steps, and the files that are due between them.
 class Run {
  public:
   Run(const Case& c, const ParticleSet& start, const RunOptions& options)
@@ -128,15 +89,11 @@ class Run {
     next_gauges_ = gauge_time_after(clock_.time);
     counts_.excluded = output_.excluded_before();
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
-    announce("numerics.accuracy", c.numerics.accuracy, Numerics{}.accuracy);
-    announce("numerics.precision", c.numerics.precision, Numerics{}.precision);
-    announce("numerics.integrator", c.numerics.integrator, Numerics{}.integrator);
-    if (c.has_sediment()) announce_choices(c);
-    announce_seepage(c);
+    announce_choices(c);
     warn_of_fast_walls(c, start);
   }
 
-  /// So many steps as fast as they go, without files.
+  /// Takes so many steps as fast as they go, and writes no files.
   Exit benchmark(std::int64_t steps) {
     start_clocks();
     while (counts_.steps < steps && caught_signal == 0) {
@@ -225,7 +182,7 @@ class Run {
     counts_.pressure_sweeps += report.pressure_sweeps;
   }
 
-  /// Says the first time that a step needed more than the usual; history.csv counts all of them.
+  /// Warns the first time that a step needed more than usual; history.csv counts all of them.
   void warn_of_fallbacks(const StepReport& report) {
     if (report.viscous.retries > 0 && counts_.viscous_retries == 0) {
       spdlog::warn(

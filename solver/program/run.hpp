@@ -9,7 +9,7 @@
 
 namespace thalweg {
 
-/// What the command line of thalweg-solver says.
+/// The options of the command line of thalweg-solver.
 struct RunOptions {
   std::filesystem::path folder;
   std::string backend = "auto";

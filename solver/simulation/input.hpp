@@ -12,7 +12,7 @@ namespace thalweg {
 
 using AnyScene = std::variant<Scene<2>, Scene<3>>;
 
-/// What a core module (one per device and instruction set) is made from.
+/// The input of a core module (one per device and instruction set).
 struct SimulationInput {
   AnyScene scene;
   const ParticleSet* particles = nullptr;  // from gencase, or full_state() of an earlier run

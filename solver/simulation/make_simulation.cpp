@@ -39,7 +39,7 @@ const std::array<Core, 3> openmp_cores = {{
     {"baseline", [] { return true; }},
 }};
 
-/// Where core module `name` lies, beside the program or in ../lib/thalweg of an installed tree; empty if nowhere.
+/// The file of core module `name`, beside the program or in ../lib/thalweg of an installed tree; empty if there is none.
 std::filesystem::path find_core(const std::string& name) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const std::string file = "thalweg_core_" + name + ".so";

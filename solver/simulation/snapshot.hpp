@@ -13,7 +13,7 @@
 // to the host and made into a ParticleSet.
 namespace thalweg {
 
-/// What a snapshot shows of every particle; models show more (Arrays::describe, `shown`).
+/// The numbers that a snapshot shows of every particle; models show more (Arrays::describe, `shown`).
 struct SnapshotParticle {
   double x[3];  // [m]
   std::int64_t id;
@@ -80,7 +80,7 @@ struct ColumnGather {
   }
 };
 
-/// What a snapshot shows, on the device.
+/// A snapshot on the device.
 template <class Device>
 struct SnapshotArrays {
   template <class T>

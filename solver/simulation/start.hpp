@@ -8,7 +8,7 @@
 
 namespace thalweg {
 
-/// Where and how a simulation runs.
+/// The device of a simulation, and its options.
 struct StartOptions {
   std::string backend = "auto";          // "cuda", "openmp" or "auto" (simulation/input.hpp)
   std::string instruction_set = "auto";  // "avx512", "avx2", "baseline" or "auto"

@@ -16,7 +16,7 @@
 // snapshots (simulation/snapshot.hpp), bytes (simulation/memory.hpp), halos and newborn values (domain/).
 namespace thalweg {
 
-/// What happens to an array. `sorted`: follows its particles when they are sorted, and dies with them; without it the
+/// The treatment of an array. `sorted`: follows its particles when they are sorted, and dies with them; without it the
 /// array is scratch that a pass fills anew. `checkpointed`: a restart needs it. `halo`: a sweep may read it of
 /// particles that another machine owns.
 enum ArrayTraits : unsigned { scratch = 0, sorted = 1, checkpointed = 2, halo = 4 };
@@ -25,7 +25,7 @@ constexpr ArrayTraits operator|(ArrayTraits a, ArrayTraits b) {
   return static_cast<ArrayTraits>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
 
-/// How snapshots show a number of an array.
+/// The form in which snapshots show a number of an array.
 struct ShownAs {
   float unit = 1;           // what the number is divided by
   bool fluid_only = false;  // the array says nothing of walls

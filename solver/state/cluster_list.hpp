@@ -8,13 +8,13 @@ namespace thalweg {
 inline constexpr Index cluster_size = 4;
 /// Lists are padded to a multiple of this with a record of zero volume, so that a sweep needs no remainder loop.
 inline constexpr Index list_padding = 4;
-/// How far a filter may read beyond the particles it is asked about (the widest pack).
+/// A filter may read so many particles beyond those it is asked about (the widest pack).
 inline constexpr Index filter_overrun = 16;
-/// How far ahead of a sweep neighbours are prefetched; the entries end with twice as many spare ones. So many records
+/// Neighbours are prefetched so many entries ahead of a sweep; the entries end with twice as many spare ones. So many records
 /// fill a quarter of the first cache: with 12, sweeps beyond the caches took a fifth longer, with 384 no less.
 inline constexpr Index list_prefetch = 192;
 
-/// What a sweep needs to know of the neighbour lists; views, valid until the next rebuild.
+/// The neighbour lists as a sweep needs them; views, valid until the next rebuild.
 /// Cluster c < fluid_clusters holds particles 4c … of the fluid [0, fluid_count), the others those of the walls
 /// [fluid_count, count). entries[begin[c] … begin[c+1]) are its neighbours, itself included.
 struct ClusterList {

@@ -5,7 +5,7 @@
 
 namespace thalweg {
 
-/// What a sweep's body may ask for of the kernel, as `static constexpr unsigned kernel = …`.
+/// The parts of the kernel that a sweep's body may ask for, as `static constexpr unsigned kernel = …`.
 enum PairKernel : unsigned { no_kernel = 0, kernel_value = 1, kernel_gradient = 2 };
 
 /// The geometry of one pair a, b, made once by the sweep. W and F are set if the body asks for them.

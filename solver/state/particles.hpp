@@ -20,7 +20,7 @@ enum class Role : std::uint8_t {
   dormant      // nothing: it has no volume and leaves the arrays when the lists are made anew
 };
 
-/// What the last sweeps found for a particle.
+/// Rates of a particle, as the last sweeps found them.
 struct Rates {
   float acceleration[3];  // [m/s^2] without the implicit part
   float excess_rate;      // d(rho/rho0)/dt [1/s]
@@ -53,7 +53,7 @@ struct ParticleCore {
   Buffer<Index> clusters_of_water;        // fluid clusters that are not in clusters_with_sediment
   Buffer<Index> clusters_at_bed_surface;  // fluid clusters that have sediment, and water in reach
 
-  // Where some sediment rests (models/rest), the part of those clusters that has to be computed.
+  // If some sediment rests (models/rest): the part of those clusters that has to be computed.
   bool any_resting = false;
   Buffer<Index> clusters_active;           // of clusters_with_sediment: some member does not rest
   Buffer<Index> clusters_rest_front;       // of clusters_with_sediment: all members rest, something active in reach

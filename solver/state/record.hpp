@@ -21,7 +21,7 @@ inline constexpr float suspended = 3;  // sediment that the water carries
 inline constexpr float resting = 4;    // a deposit that has stopped exactly; its neighbours take it for a wall
 }  // namespace kind
 
-/// What a pair sweep reads of a particle: 64 bytes, one cache line, four quads (quad_place …).
+/// The part of a particle that pair sweeps read: 64 bytes, one cache line, four quads (quad_place …).
 /// `place` counts quanta of the domain's extent (state/lattice.hpp), so that differences are exact in 32 bits and wrap
 /// around periodic directions by themselves; the position proper is kept in double beside it.
 struct alignas(64) Record {
@@ -79,7 +79,7 @@ struct Lane {
   Vec<Dim, L> work;
 };
 
-/// Where the members of a Record lie in its quads. Both backends fill lanes by it: `read` has place(quad, vector),
+/// The layout of a Record's members in its quads. Both backends fill lanes by it: `read` has place(quad, vector),
 /// vector(quad, vector) and number(quad, entry, number), with quad and entry as template arguments.
 template <int Dim, unsigned quads, class LaneT, class Read>
 HOST_DEVICE inline void read_lane(LaneT& lane, const Read& read) {

@@ -5,7 +5,7 @@
 
 #include "solver/state/step_state.hpp"
 
-// What the host learns of a step and of a simulation: plain numbers, no particles.
+// Reports of a step and of a simulation to the host: plain numbers, no particles.
 namespace thalweg {
 
 /// A position in double; the place in the record follows it.
@@ -31,7 +31,7 @@ struct ViscousResult {
   std::int64_t capped = 0;  // particles whose viscosity was cut
 };
 
-/// What one step did, for the run loop.
+/// The report of one step to the run loop.
 struct StepReport {
   double dt = 0;  // [s]
   Limiter limiter = Limiter::sound;

@@ -7,7 +7,7 @@
 
 namespace thalweg {
 
-/// What does not change while a scene runs and every pass may need (single precision where a pair sum reads it).
+/// Constants of a scene that every pass may need (single precision where a pair sum reads them).
 template <int Dim>
 struct FlowScene {
   Lattice<Dim> lattice;

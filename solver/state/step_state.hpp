@@ -8,7 +8,7 @@
 
 namespace thalweg {
 
-/// What bounds a time step.
+/// The bound that decides a time step.
 enum class Limiter { sound, force, viscosity, output };
 inline constexpr const char* limiter_name(Limiter l) {
   switch (l) {

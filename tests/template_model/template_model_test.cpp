@@ -8,9 +8,9 @@
 #include "case/reader/read_tables.hpp"
 #include "common/error.hpp"
 #include "solver/backend/openmp.hpp"
+#include "solver/simulation/simulation_on.hpp"
 #include "tests/solver/guarded_runtime.hpp"
 #include "tests/solver/lattice_scene.hpp"
-#include "solver/simulation/simulation_on.hpp"
 
 // A model that the solver does not know: its table, its array and its stage work on every backend, and no file of the
 // solver is touched for it but the list of models.

@@ -9,7 +9,7 @@ namespace thalweg {
 
 struct SceneSource;
 
-/// What the bed model keeps between steps.
+/// Buffers and results of the bed model that live between steps.
 template <class Device>
 struct BedWork {
   ColumnWeight<Device> weight;

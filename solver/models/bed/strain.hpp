@@ -62,7 +62,7 @@ struct ContinuityAndStrainSweep {
     float lode_sine;  // of three Lode angles [-]
   };
 
-  /// Where too little of the neighbourhood is there to correct (an isolated grain), the plain sum is used.
+  /// The plain sum is used if too little of the neighbourhood is there to correct it (an isolated grain).
   HOST_DEVICE static StrainRate strain_rate(const Sum<float>& sum) {
     float inverse[Dim][Dim];
     invert(sum.moment, inverse);

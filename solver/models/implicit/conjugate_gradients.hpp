@@ -14,8 +14,8 @@
 // preconditioning on the clusters with sediment in reach. An explicit treatment would need steps 50 to 400 times
 // smaller, a cap on the viscosity makes a bed creep (docs/theory.md).
 //
-// Where the coefficients are kept between iterations, they are so in half a float (ShortFloat): what is solved for is
-// the change since the last step, from a residual of full precision, and with each k_ab off by 2^-9 at most, all of
+// Coefficients that are stored between iterations take half a float (ShortFloat). The unknown is the change since the
+// last step, from a residual of full precision, and with each k_ab off by 2^-9 at most, all of
 // them positive and k_ab = k_ba to the last bit, the quadratic form of the system is off by no more than that share.
 //
 // The gradients are those of Chronopoulos & Gear (1989): an iteration is one sweep and one pass, each with its sum, and

@@ -12,7 +12,7 @@ namespace thalweg {
 
 struct SceneSource;
 
-/// What the viscous part keeps between steps.
+/// Buffers and results of the viscous part that live between steps.
 template <class Device>
 struct ViscousWork {
   ViscousSystem<Device> viscous;

@@ -8,7 +8,7 @@ namespace thalweg {
 
 struct SceneSource;
 
-/// What moving walls keep between steps; all of it on the host.
+/// State of the moving walls that lives between steps, on the host.
 template <class Device>
 struct MovingWallsWork {
   std::vector<WallMotion> motions;

@@ -31,7 +31,7 @@ struct WallMotion {
   RigidAxis axis;
   std::vector<MotionSegment> segments;  // by time; at rest before the first
 
-  /// Where a kink is, the state is that after it.
+  /// At a kink of the motion the state is that after it.
   [[nodiscard]] RigidState at(double t) const {
     const MotionSegment* current = nullptr;
     for (const MotionSegment& segment : segments) {

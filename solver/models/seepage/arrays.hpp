@@ -9,7 +9,7 @@ namespace field {
 inline constexpr Field pores{"Pores"};
 }
 
-/// What a particle of a mixture knows of the other set.
+/// The other set of a mixture, as a particle knows it.
 struct PoreState {
   float porosity;  // n [-], 1 away from grains
   float exchange;  // of water: drag coefficient of a pair over both tiles and W [kg m^dim/(m^3 s)]

@@ -2,7 +2,7 @@
 
 #include "solver/state/scene.hpp"
 
-// What a set of the mixture sees of the particles around it.
+// The view that one set of the mixture has of the particles around it.
 namespace thalweg::mixture {
 
 /// Volume of a neighbour as the set of `a` sees it: nothing if it is of the other set.

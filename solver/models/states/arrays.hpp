@@ -9,7 +9,7 @@ namespace field {
 inline constexpr Field bed{"BedSurface"};
 }
 
-/// What the sediment's surface is like around a particle; kept only where sediment has states, zero where no water is
+/// The surface of the sediment around a particle; kept only where sediment has states, zero where no water is
 /// in reach (models/states).
 struct BedSurface {
   float fill;                  // sum over sediment of V W, 1 inside a bed [-]

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/solver/backend/device_scenes.hpp"
 #include "solver/simulation/load.hpp"
 #include "solver/step.hpp"
+#include "tests/solver/backend/device_scenes.hpp"
 #include "tests/solver/guarded_runtime.hpp"
 
-// Whether bodies touch the fields that they declare and no others. While a body runs, arrays that it does not declare
-// are closed, and arrays that it only reads cannot be written; a body that touches them ends the test with a signal. The
+// Bodies touch the fields that they declare and no others. While a body runs, arrays that it does not declare are closed, and arrays that it only reads cannot be written; a body that touches them ends the test with a signal. The
 // quads of the record are compared before and after.
 namespace thalweg::test {
 namespace {

@@ -233,7 +233,8 @@ TYPED_TEST(PopulationOn, AStepOfWaterExchangesThreeTimes) {
   // Pressures by the equation of state for the walls, wall pressures for the forces, and places and velocities half-way
   // for the density rates, as leapfrog needs them.
   using Names = std::set<std::string>;
-  EXPECT_EQ(exchanges.done, (std::vector<Names>{{"flow", "matter", "place"}, {"flow", "matter"}, {"flow", "matter", "place"}}));
+  EXPECT_EQ(exchanges.done,
+            (std::vector<Names>{{"flow", "matter", "place"}, {"flow", "matter"}, {"flow", "matter", "place"}}));
 }
 
 }  // namespace

@@ -16,8 +16,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels =
-    ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel,
-              TracerModel>;
+using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
+                            StatesModel, RestModel, TracerModel>;
 
 }  // namespace thalweg

@@ -1,0 +1,58 @@
+#include "solver/program/announce.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "solver/simulation/start.hpp"
+
+namespace thalweg {
+namespace {
+
+void announce_seepage(const Case& c) {
+  if (c.model.seepage == SeepageModel::mixture) {
+    spdlog::info("model.seepage = mixture: the bed is grains and pore water, joined by Ergun's drag");
+  }
+  if (c.model.pore_pressure == PorePressureModel::diffusion) {
+    spdlog::info("model.pore_pressure = diffusion: excess pore pressure weakens the bed");
+  }
+}
+
+/// Tells the meaning of a choice that is not the usual one.
+template <class Word>
+void announce(const char* key, const Word& choice, const Word& usual) {
+  if (choice == usual) return;
+  for (const auto& word : choices(choice)) {
+    if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
+  }
+}
+
+/// Tells which choices of the sediment's model are not the defaults.
+void announce_sediment(const Case& c) {
+  announce("model.sediment", c.model.sediment, SedimentModel::viscoplastic);
+  announce("model.implementation", c.model.implementation, Model{}.implementation);
+  announce("model.effective_pressure", c.model.effective_pressure, Model{}.effective_pressure);
+  announce("model.yield", c.model.yield, Model{}.yield);
+  announce("model.rheology", c.model.rheology, Model{}.rheology);
+  if (c.model.sediment == SedimentModel::three_state) {
+    announce("model.bed_shear", c.model.bed_shear, Model{}.bed_shear);
+  }
+  announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
+}
+
+}  // namespace
+
+void announce_choices(const Case& of) {
+  announce("numerics.accuracy", of.numerics.accuracy, Numerics{}.accuracy);
+  announce("numerics.precision", of.numerics.precision, Numerics{}.precision);
+  announce("numerics.integrator", of.numerics.integrator, Numerics{}.integrator);
+  if (of.has_sediment()) announce_sediment(of);
+  announce_seepage(of);
+}
+
+void warn_of_fast_walls(const Case& c, const ParticleSet& start) {
+  const double speed = largest_wall_speed(c, start);
+  if (speed <= c.numerics.maximum_speed) return;
+  spdlog::warn("walls move with up to {:.3g} m/s, and numerics.maximum_speed is {:.3g} m/s: {}", speed,
+               c.numerics.maximum_speed, "the water's density will vary by more than a percent; raise it");
+}
+
+}  // namespace thalweg

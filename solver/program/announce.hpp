@@ -1,0 +1,16 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "common/particles.hpp"
+
+// Lines of the log at the start of a run: everything that is not as usual.
+namespace thalweg {
+
+/// Tells which choices of the case are not the defaults, and what goes beyond the source paper, so that nobody takes a
+/// result for the paper's model.
+void announce_choices(const Case& of);
+
+/// Warns if walls move faster than the case expects: the sound speed follows from the expected speed.
+void warn_of_fast_walls(const Case& of, const ParticleSet& start);
+
+}  // namespace thalweg
