@@ -8,7 +8,7 @@ namespace thalweg {
 /// Pair sweep: acceleration by pressure, artificial viscosity, water's own viscosity and gravity,
 ///   rho_a du_a/dt = - sum_b V_b (P_a + P_b + Pi_ab) grad W + sum_b V_b 2 mu_w F u_ab + rho_a g
 /// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a; forces m_a du_a/dt are antisymmetric pair by pair. The viscosity
-/// of sediment, and between water and sediment, is left to models/bed/viscous_step.hpp. With wall_friction, water
+/// of sediment, and between water and sediment, is left to models/implicit/. With wall_friction, water
 /// beside a wall has the viscosity of smooth_wall_viscosity in place of mu_w; without it walls are frictionless for
 /// water.
 template <int Dim, bool wall_friction>

@@ -11,6 +11,7 @@ import unittest
 import formatting
 import headers
 import includes
+import readability
 import tracked_files
 
 CLEAN = {
@@ -166,6 +167,15 @@ class Formatting(Tree):
         violations, _ = formatting.check(self.root)
         self.assertEqual(len(violations), 1)
         self.assertTrue(violations[0].startswith("solver/step.hpp:3:"))
+
+
+class Readability(Tree):
+    def test_a_long_file_and_a_riddle_are_found(self):
+        self.assertEqual(readability.check(self.root)[0], [])
+        self.write("solver/step.hpp", "#pragma once\n" + "\n" * readability.MOST_LINES)
+        self.write("solver/passes/pass.hpp", "#pragma once\n\n/// What a pass is.\n\n// True. Where it is not.\n")
+        self.assertEqual([violation.split(":")[0] for violation in readability.check(self.root)[0]],
+                         ["solver/passes/pass.hpp", "solver/step.hpp"])
 
 
 class StaticAnalysis(Tree):

@@ -1,4 +1,4 @@
-#include "solver/backend/pack.hpp"
+#include "solver/backend/quad.hpp"
 
 #include <gtest/gtest.h>
 
