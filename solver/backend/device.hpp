@@ -96,7 +96,7 @@ template <class Body, int Dim>
 constexpr void require_sweep_body() {
   static_assert(DeclaresFields<Body>,
                 "a sweep's body declares its fields: `using reads = Fields<...>; using writes = Fields<...>;`");
-  static_assert(DeclaresNeighbours<Body>,
+  static_assert(!DeclaresFields<Body> || DeclaresNeighbours<Body>,
                 "a sweep's body declares what it reads of both particles of a pair: `using neighbours = Fields<...>;`");
   static_assert(!DeclaresNeighbours<Body> || SweepBody<Body, Dim>,
                 "a sweep's body has `static constexpr unsigned kernel`, `template <class L> struct Sum`, "
