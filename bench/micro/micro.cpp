@@ -2,13 +2,13 @@
 // bench/micro/micro.py runs them and writes the table.
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "bench/micro/peak.hpp"
 #include "solver/backend/openmp.hpp"
 #include "solver/simulation/simulation_on.hpp"
 #include "tests/solver/lattice_scene.hpp"
@@ -17,46 +17,6 @@ namespace thalweg {
 namespace {
 
 using Device = OpenMp<>;
-
-/// The largest rates that the machine reaches.
-namespace peak {
-
-/// Twelve independent chains of multiply-add hide its latency.
-void multiply_add(benchmark::State& state) {
-  using L = Pack<native_width>;
-  constexpr int chains = 12, turns = 256;
-  std::array<L, chains> sum{};
-  L factor(0.999F), term(1e-3F);
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(factor);
-    for (int n = 0; n < turns; ++n) {
-      for (L& s : sum) s = s * factor + term;
-    }
-    benchmark::DoNotOptimize(sum);
-  }
-  state.counters["flop/s"] =
-      benchmark::Counter(2.0 * chains * turns * native_width, benchmark::Counter::kIsIterationInvariantRate);
-}
-
-/// Reads an array of so many bytes once an iteration.
-void read_memory(benchmark::State& state) {
-  using L = Pack<native_width>;
-  const HostBuffer<float> numbers(static_cast<std::size_t>(state.range(0)) / sizeof(float), 1.0F);
-  for (auto _ : state) {
-    std::array<L, 8> sum{};
-    for (std::size_t i = 0; i < numbers.size(); i += 8 * native_width) {
-      for (std::size_t k = 0; k < 8; ++k) {
-        L read;
-        lane_load(&numbers[i + k * native_width], read);
-        sum[k] += read;
-      }
-    }
-    benchmark::DoNotOptimize(sum);
-  }
-  state.SetBytesProcessed(state.iterations() * state.range(0));
-}
-
-}  // namespace peak
 
 /// A periodic box, walls at its bottom, sediment up to the middle and water over it, every particle a fifth of a
 /// spacing or less off its node and moving. h = 1.5 dp: 113 neighbours in space, 28 in the plane.
@@ -302,8 +262,7 @@ void register_all(int edge) {
       },
       2 * sizeof(Vectors) + row);
   register_pass<Dim>(
-      "largest drift", edge, [](B& b) { find_drift(b.on, b.p, b.scene, &b.state); },
-      sizeof(Record) + sizeof(Place));
+      "largest drift", edge, [](B& b) { find_drift(b.on, b.p, b.scene, &b.state); }, sizeof(Record) + sizeof(Place));
   register_pass<Dim>(
       "sort", edge, [](B& b) { neighbours::sort_particles(b.on, b.p, b.scene); }, 0);
   register_pass<Dim>(

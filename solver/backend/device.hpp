@@ -23,8 +23,9 @@ struct Access {
 class AccessListener {
  public:
   virtual ~AccessListener() = default;
-  virtual void before(const Access& access) = 0;
-  virtual void after(const Access& access) = 0;
+  /// `flag`: a number on the device; if it is 0 the body is skipped. nullptr: it runs.
+  virtual void before(const Access& access, const int* flag) = 0;
+  virtual void after(const Access& access, const int* flag) = 0;
 };
 
 /// Every body: `using reads = Fields<…>` of its own particle, `using writes = Fields<…>`.
@@ -139,11 +140,12 @@ auto declare(Lambda lambda) {
 /// Tells a listener, if there is one, what runs while this lives.
 class Announcement {
  public:
-  Announcement(AccessListener* listener, const Access& access) : listener_(listener), access_(access) {
-    if (listener_ != nullptr) listener_->before(access_);
+  Announcement(AccessListener* listener, const Access& access, const int* flag)
+      : listener_(listener), access_(access), flag_(flag) {
+    if (listener_ != nullptr) listener_->before(access_, flag_);
   }
   ~Announcement() {
-    if (listener_ != nullptr) listener_->after(access_);
+    if (listener_ != nullptr) listener_->after(access_, flag_);
   }
   Announcement(const Announcement&) = delete;
   Announcement& operator=(const Announcement&) = delete;
@@ -151,6 +153,7 @@ class Announcement {
  private:
   AccessListener* listener_;
   const Access& access_;
+  const int* flag_;
 };
 
 }  // namespace thalweg

@@ -103,14 +103,14 @@ class Gpu {
   template <class Body>
   void for_each(Index n, const Body& body) const {
     require_particle_body<Body>();
-    const Announcement announced(listener, access_of<Body>);
+    const Announcement announced(listener, access_of<Body>, flag_);
     Runtime::launch(n, body, flag_);
   }
 
   template <class T, class Of, class Combine>
   T reduce(Index n, const T& start, const Of& of, const Combine& combine) const {
     require_particle_body<Of>();
-    const Announcement announced(listener, access_of<Of>);
+    const Announcement announced(listener, access_of<Of>, nullptr);
     if (n == 0) return start;
     return Runtime::template with_result<T>(
         [&](T* result) { Runtime::reduce(n, start, of, combine, Keep<T>{result}, nullptr); });
@@ -118,7 +118,7 @@ class Gpu {
   template <class T, class Of, class Combine, class Then>
   void reduce_then(Index n, const T& start, const Of& of, const Combine& combine, const Then& then) const {
     require_particle_body<Of>();
-    const Announcement announced(listener, access_of<Of>);
+    const Announcement announced(listener, access_of<Of>, flag_);
     Runtime::reduce(n, start, of, combine, then, flag_);
   }
 
@@ -131,7 +131,7 @@ class Gpu {
   template <class Candidate, class Keep>
   void select(Index n, const Candidate& candidate, const Keep& keep, Buffer<Index>& kept, Index* count) const {
     require_particle_body<Keep>();
-    const Announcement announced(listener, access_of<Keep>);
+    const Announcement announced(listener, access_of<Keep>, nullptr);
     kept.resize(n);
     Runtime::select(n, candidate, keep, kept.data(), count);
   }
@@ -173,7 +173,7 @@ class Gpu {
   void sweep(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
              const Body& body) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>);
+    const Announcement announced(listener, access_of<Body>, flag_);
     Runtime::launch(range.count * cluster_size,
                     SweepThread<Dim, From, Body, NoResult>{list, range, records, metric, body, {}}, flag_);
   }
@@ -181,7 +181,7 @@ class Gpu {
   void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
                   const Body& body, const T& start, const Combine& combine, const Then& then) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>);
+    const Announcement announced(listener, access_of<Body>, flag_);
     Runtime::reduce(range.count * cluster_size, start,
                     SweepThread<Dim, From, Body, T>{list, range, records, metric, body, start}, combine, then, flag_);
   }

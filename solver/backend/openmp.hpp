@@ -104,7 +104,7 @@ struct OpenMp {
   template <class Body>
   void for_each(Index n, const Body& body) const {
     require_particle_body<Body>();
-    const Announcement announced(listener, access_of<Body>);
+    const Announcement announced(listener, access_of<Body>, flag_);
     if (is_off()) return;
 #pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
     for (Index i = 0; i < n; ++i) body(i);
@@ -116,7 +116,7 @@ struct OpenMp {
   template <class T, class Of, class Combine>
   T reduce(Index n, T start, const Of& of, const Combine& combine) const {
     require_particle_body<Of>();
-    const Announcement announced(listener, access_of<Of>);
+    const Announcement announced(listener, access_of<Of>, nullptr);
     constexpr Index block = 2048;
     const Index blocks = (n + block - 1) / block;
     std::vector<Partial<T>> partial(blocks, Partial<T>{start});
@@ -162,7 +162,7 @@ struct OpenMp {
   template <class Candidate, class Keep>
   void select(Index n, const Candidate& candidate, const Keep& keep, Buffer<Index>& kept, Index* count) const {
     require_particle_body<Keep>();
-    const Announcement announced(listener, access_of<Keep>);
+    const Announcement announced(listener, access_of<Keep>, nullptr);
     kept.resize(n);
     const Index blocks = (n + scan_block - 1) / scan_block;
     std::vector<Index> found(blocks);
@@ -228,7 +228,7 @@ struct OpenMp {
   void sweep(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
              const Body& body) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>);
+    const Announcement announced(listener, access_of<Body>, flag_);
     if (is_off()) return;
 #pragma omp parallel for schedule(dynamic, 32) num_threads(threads) if (range.count >= least_parallel_clusters)
     for (Index n = 0; n < range.count; ++n) {
@@ -242,7 +242,7 @@ struct OpenMp {
   void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
                   const Body& body, const T& start, const Combine& combine, const Then& then) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>);
+    const Announcement announced(listener, access_of<Body>, flag_);
     if (is_off()) return;
     constexpr Index block = 32;
     const Index blocks = (range.count + block - 1) / block;

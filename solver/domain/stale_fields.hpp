@@ -9,10 +9,10 @@ namespace thalweg {
 
 /// Keeps account of the fields of a halo: copies of particles that another machine owns. A field that a body has
 /// written is stale there until it is exchanged; before a body reads it of neighbours it has to be fresh. What is to be
-/// exchanged when follows from the declarations of the bodies alone. On one machine there is no halo and no listener.
+/// exchanged when follows from the declarations of the bodies alone; a body that may be skipped counts as run. On one machine there is no halo and no listener.
 class StaleFields : public AccessListener {
  public:
-  void before(const Access& access) final {
+  void before(const Access& access, const int*) final {
     std::vector<const Field*> wanted;
     for (const Field* field : access.neighbours) {
       if (is_stale(field)) wanted.push_back(field);
@@ -22,7 +22,7 @@ class StaleFields : public AccessListener {
     for (const Field* field : wanted) std::erase(stale_, field);
   }
 
-  void after(const Access& access) final {
+  void after(const Access& access, const int*) final {
     for (const Field* field : access.writes) {
       if (!is_stale(field)) stale_.push_back(field);
     }

@@ -51,7 +51,7 @@ struct GuardedRuntime {
   static void copy_to_host_after(const Mark&, void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
   static void copy_on_device(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
 
-  /// Number of times that the host has waited for the device.
+  /// The number of times that the host has waited for the device.
   static int& waits() {
     static int n = 0;
     return n;

@@ -29,7 +29,7 @@ template <int Dim, bool stored, class Kept, class Row, class Coupling>
 struct ViscousCoefficientSweep {
   using neighbours = typename Coupling::neighbours;
   using reads = Reads<field::place, field::flow, field::matter, field::mass, field::rates, field::sediment>;
-  using writes = Writes<field::viscous_vector>;
+  using writes = VectorField<stored>;
   static constexpr unsigned kernel = Coupling::kernel;
   template <class L>
   struct Sum {
@@ -86,9 +86,10 @@ struct ViscousCoefficientSweep {
 /// until the iteration is over. Returns u . A u.
 template <int Dim, bool stored, class Kept, class Row, class Coupling>
 struct ViscousProductSweep {
-  using neighbours = std::conditional_t<stored, Neighbours<field::viscous_vector>,
+  using neighbours = std::conditional_t<stored, Neighbours<field::viscous_vectors>,
                                         typename Coupling::neighbours::template With<field::viscous_vector>>;
-  using reads = Reads<field::matter, field::viscous_vector>;
+  using reads = std::conditional_t<stored, Reads<field::matter, field::viscous_vectors>,
+                                   Reads<field::matter, field::viscous_vector>>;
   using writes = Writes<>;
   static constexpr unsigned kernel = stored ? unsigned{no_kernel} : Coupling::kernel;
   template <class L>
@@ -129,8 +130,8 @@ struct ViscousProductSweep {
 /// Particle pass: the rest of an iteration, from the A u that the sweep found. Returns the sums of the new residual.
 template <class Row, class Vector>
 struct ViscousUpdatePass {
-  using reads = Reads<field::viscous_vector>;
-  using writes = Writes<field::viscous_vector>;
+  using reads = typename Vector::InField;
+  using writes = typename Vector::InField;
 
   Vector vector;
   Row* rows;
@@ -174,8 +175,7 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   Sediment* sediment = p.sediment.data();
   const auto vector = iteration_vector<stored>(p, system);
   if constexpr (stored) {  // zero for walls and water far from sediment
-    on.for_each(p.count + 1,
-                declare<Reads<>, Writes<field::viscous_vector>>([=] HOST_DEVICE(Index i) { vector.from[i] = {}; }));
+    on.for_each(p.count + 1, declare<Reads<>, VectorField<stored>>([=] HOST_DEVICE(Index i) { vector.from[i] = {}; }));
   }
   // The viscous acceleration of the last step is the best guess for this one.
   for_each_member(on, list, range,
@@ -197,7 +197,7 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
         if (v.scale == 0) v.scale = std::sqrt(norms.squared);
         viscosity::judge(v, norms.squared, tolerance, most_iterations);
       });
-  for_each_member(on, list, range, declare<Reads<>, Writes<field::viscous_vector>>([=] HOST_DEVICE(Index i) {
+  for_each_member(on, list, range, declare<Reads<>, VectorField<stored>>([=] HOST_DEVICE(Index i) {
                     for (int c = 0; c < 3; ++c) vector[i][c] = rows[i].residual[c] / rows[i].diagonal;
                   }));
 }

@@ -10,8 +10,10 @@
 namespace thalweg {
 
 namespace field {
-/// The work quad, or an array of its own, during the viscous solve: the vector u, and the particle's own mass.
+/// The work quad during the viscous solve: the vector u, and the particle's own mass.
 inline constexpr Field viscous_vector{"ViscousVector", quad_work};
+/// The same in an array of its own, if the pair coefficients are stored.
+inline constexpr Field viscous_vectors{"ViscousVectors"};
 }  // namespace field
 
 /// Arrays of the solve, kept between steps.
@@ -32,11 +34,16 @@ struct ViscousSystem {
   Buffer<Row> row;
 };
 
+/// The field of the CG vector u.
+template <bool stored>
+using VectorField = std::conditional_t<stored, Fields<field::viscous_vectors>, Fields<field::viscous_vector>>;
+
 /// Storage of the CG vector u: an array of its own if the pair coefficients are stored, else the records' work quad.
 /// A fourth number follows the three components: the particle's mass plus what the walls' surfaces add to the diagonal
 /// [kg].
 template <bool stored>
 struct IterationVector {
+  using InField = VectorField<stored>;
   using From = std::conditional_t<stored, Vectors, Record>;
   From* from;
   HOST_DEVICE float* operator[](Index i) const { return from[i].work; }

@@ -20,7 +20,7 @@ struct DeviceScene {
 /// Scenes that together go through every pass.
 std::vector<DeviceScene> device_scenes();
 
-/// The difference between two outcomes of one start, by particle.
+/// The differences of two outcomes of one start, by particle.
 struct Difference {
   double moved = 0;      // the longest way from the start [m]
   double apart = 0;      // the largest distance between the outcomes [m]

@@ -108,7 +108,7 @@ TYPED_TEST(BedStates, SeeNoSurfaceTowardsAWall) {
   for (Index i = 0; i < seen.count; ++i) {
     if (seen.position[i].x[0] > wall + scene.spacing || layer_of(seen, i) < 0 || layer_of(seen, i) > 2) continue;
     ++checked;
-    // The wall continues a mean over the kernel: some degrees, and some hundredths of a full bed.
+    // The wall continues a mean over the kernel: it errs by some degrees, and some hundredths of a full bed.
     if (layer_of(seen, i) == 0) {
       EXPECT_GT(seen.bed[i].normal[2], std::cos(0.1));
     }

@@ -88,8 +88,8 @@ TEST(ImplicitViscosityInDouble, SolvesTheSystemItStates) {
 }
 
 TYPED_TEST(ImplicitViscosity, CoefficientsInHalfAFloatAddNoMoreThanTheirRounding) {
-  // The unknown is the change x - u*. With every coefficient off by a share of 2^-9 at most, A' - A is within
-  // that share of A, and so the change within 2^-9 of itself in the norm that A gives (to first order).
+  // The solve is for the change x - u*. With every coefficient off by a share of 2^-9 at most, A' - A is within that
+  // share of A, and so the change within 2^-9 of itself in the norm that A gives (to first order).
   const Solutions s = solutions_of_stirred_block<TypeParam>(1e-4);
   const auto norm = [&](const Eigen::MatrixXd& u) { return std::sqrt((u.transpose() * s.matrix * u).trace()); };
   EXPECT_TRUE(s.result.converged);

@@ -36,7 +36,7 @@ TYPED_TEST(Mixture, ExchangesMomentumWithoutLosingAny) {
   EXPECT_EQ(after.sediment_mass, before.sediment_mass);
 }
 
-TEST(MixtureOnThreads, DoNotChangeIt) {
+TEST(MixtureOnThreads, IsTheSameForAnyNumber) {
   Column c;
   c.height = 0.5;  // 600 clusters: enough for several threads to be woken
   c.sound_speed = 22;

@@ -154,7 +154,7 @@ TYPED_TEST(LaplacePressure, StartsWhereItEndedAndLeavesNoTrace) {
   }
 }
 
-TEST(LaplacePressureOnThreads, DoNotChangeIt) {
+TEST(LaplacePressureOnThreads, IsTheSameForAnyNumber) {
   const Scene<2> scene = laplace_scene();
   std::vector<float> found[2];
   for (const int threads : {1, 3}) {

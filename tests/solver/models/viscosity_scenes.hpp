@@ -7,7 +7,7 @@
 
 #include "tests/solver/scenes.hpp"
 
-// Scenes that the tests of the implicit and of the explicit viscosity share.
+// The scene and the stages that tests of the implicit and of the explicit viscosity share.
 namespace thalweg::test {
 
 /// A block of sediment and water between two walls, stirred, with viscosities from 0.01 to 1e4 Pa s.
