@@ -31,7 +31,7 @@ HOST_DEVICE inline L artificial_viscous_pressure(const L& u_dot_r, const L& inve
 ///   k_ab = V_a V_b (eta_a + eta_b) (-r . grad W)/r^2 = -V_a V_b (eta_a + eta_b) F >= 0  [kg/s],
 /// The force on a is -k_ab (u_a - u_b). k is symmetric, so that momentum is conserved, and positive, so that energy is
 /// dissipated. The customary r^2 + 0.01 h^2 in the denominator is not needed, because F is finite at r = 0; it would
-/// cost 0.8 % of the viscosity at h = 2 dp (tests/solver/taylor_green_test.cpp).
+/// cost 0.8 % of the viscosity at h = 2 dp (tests/solver/passes/taylor_green_test.cpp).
 /// Volumes V [m^3]; eta_sum = eta_a + eta_b [Pa s].
 template <class L>
 HOST_DEVICE inline L viscous_coefficient(const L& V_a, const L& V_b, const L& eta_sum, const L& F) {

@@ -147,7 +147,7 @@ class DamBreak:
     width = 0.1  # [m]
 
     def fronts(self, run):
-        """Over the column's width: half a spacing beyond the third foremost particle, as tests/solver/dam_break_test.cpp."""
+        """Over the column's width: half a spacing beyond the third foremost particle, as tests/solver/program/dam_break_test.cpp."""
         spacing = quantity(resolved(run.folder)["numerics"]["spacing"])
         times = [row["t_star"] for row in read_table(ROOT / "cases/dam_break/reference/front.csv")]
         by_time = {}

@@ -62,7 +62,7 @@ class DeclaredFields : public AccessListener {
     p_.describe(scene_, each);
   }
 
-  void after(const Access& access, const int* flag) override {
+  void after(const Access& access, const int*) override {
     GuardedRuntime::limits().clear();
     if (!std::exchange(runs_, false)) return;
     const unsigned written = quads_of(access.writes);
