@@ -67,4 +67,4 @@ def sweeps(binary):
         found = re.search(r"\bsweep(?:_cluster)?<(\d), [\w:]+, (.*)", name)
         if found and inner_loop(code):
             body = re.sub(r"\b\w+::", "", first_argument(found[2])).replace(" >", ">")
-            yield found[1], re.sub(r", \w+<OpenMp<[^<>]*>>(::\w+)?", "", body), code  # without the device, which all share
+            yield found[1], re.sub(r", \w+<OpenMp<[^<>]*>>(::\w+)?", "", body).strip(), code  # without the device, which all share

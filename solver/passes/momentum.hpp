@@ -37,9 +37,10 @@ struct MomentumSweep {
     const L strength = lane_select(same, rho0 * L(scene.artificial_viscosity), L(0.0F));
     const L along = -(weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, g.r), inverse, strength)));
 
-    // Twice the viscosity: doubling is exact, so that its place in the product does not matter.
+    // Twice the viscosity: doubling is exact, so that its place in the product does not matter. All of it but `same` is
+    // known before the loop over b.
     const auto a_water = is_water(a);
-    L eta2 = lane_select(same & a_water, L(2.0F) * L(scene.water_viscosity), L(0.0F));
+    L eta2 = lane_select(same, lane_select(a_water, L(2.0F) * L(scene.water_viscosity), L(0.0F)), L(0.0F));
     if constexpr (wall_friction) {
       const L at_wall =
           smooth_wall_viscosity(L(scene.water_viscosity), L(scene.water_density), lane_sqrt(dot(u, u)),
