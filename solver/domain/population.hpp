@@ -54,11 +54,11 @@ class Population {
     for (const ExcludedParticle& particle : excluded) ledger_.lost += double(particle.mass);
   }
 
-  /// Parks the fluid particles for which dies(i) is true. The scene has to have roles (open()).
+  /// Parks the fluid particles for which dies(i) is true.
   template <class Device, class Dies>
   void bury(Device& on, Particles<Device>& p, const Dies& dies);
 
-  /// Gives every particle a role, which births and deaths need.
+  /// Gives every particle a role, if it has none yet.
   template <class Device>
   static void open(Device& on, Particles<Device>& p) {
     if (p.role.size() != p.count) on.fill(p.role, p.count, Role::integrated);
@@ -146,6 +146,7 @@ struct Burial {
 
 template <class Device, class Dies>
 void Population::bury(Device& on, Particles<Device>& p, const Dies& dies) {
+  open(on, p);
   ledger_.out +=
       on.reduce(p.fluid_count, 0.0, Burial<Dies>{p.record.data(), p.rates.data(), p.role.data(), p.mass.data(), dies},
                 [] HOST_DEVICE(double a, double b) { return a + b; });
