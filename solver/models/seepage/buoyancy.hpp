@@ -33,8 +33,9 @@ struct MixtureMomentumSweep {
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t entry,
                         Sum<L>& sum) const {
-    sum.water += lane_select(is_water(b), b.volume * g.W, L(0.0F));  // first: so that W's register is free below
     momentum.pair(a, mixture::seen_by(a, b, momentum.scene), g, entry, sum.own);
+    const L weight = b.volume * g.W;
+    sum.water += lane_select(is_water(b), weight, L(0.0F));
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
