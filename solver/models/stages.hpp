@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "physics/host_device.hpp"
+
 // The stages of a step (step.hpp) and how models take part in them. A model is a struct of static functions; it offers
 // the stages it needs and nothing else. Stages of the first kind run for every model that is on and offers them, in the
 // order of the list (models/all.hpp). Stages of the second kind are done by one: the first model that is on and offers

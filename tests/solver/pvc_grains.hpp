@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/state/scene.hpp"
+#include "solver/models/all.hpp"
 
 namespace thalweg::test {
 
