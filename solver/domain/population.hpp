@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "common/error.hpp"
 #include "common/particles.hpp"
 #include "solver/backend/buffer.hpp"
 #include "solver/backend/device.hpp"
@@ -88,6 +90,10 @@ inline Population Population::of(const ParticleSet& from) {
     return made;
   }
   const std::vector<double>& numbers = known->second;
+  if (numbers.size() != 4) {
+    throw InputError("the checkpoint's field data Population has " + std::to_string(numbers.size()) +
+                     " numbers and needs 4; start from a whole checkpoint");
+  }
   made.next_id_ = static_cast<std::int64_t>(numbers[0]);
   made.ledger_ = {numbers[1], numbers[2], numbers[3]};
   const auto waiting = from.facts.find(checkpoint_fact::waiting);

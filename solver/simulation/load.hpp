@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "common/error.hpp"
 #include "common/particles.hpp"
 #include "solver/backend/buffer.hpp"
 #include "solver/lists/rebuild.hpp"
@@ -78,6 +80,12 @@ struct LoadArrays : ArraysOnly {
     } else {
       const auto found = from.doubles.find(field.name);
       if (found == from.doubles.end()) return;
+      if (found->second.size() != entries.size() * numbers_in<T>()) {
+        throw InputError(std::string("the checkpoint's array ") + field.name + " has " +
+                         std::to_string(found->second.size()) + " numbers and needs " +
+                         std::to_string(entries.size() * numbers_in<T>()) +
+                         "; it is from another version: start again from particles.vtp");
+      }
       for (std::size_t i = 0; i < entries.size(); ++i) {
         decode(found->second.data() + i * numbers_in<T>(), entries[i]);
       }
