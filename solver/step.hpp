@@ -96,6 +96,7 @@ void begin_step(Step<Dim, Device>& s) {
   AllModels::first<stage::AtWalls>(s, [&] { extrapolate_to_walls(on, p, scene); });
   AllModels::all<stage::AtStrength>(s);
   AllModels::first<stage::AtForces>(s, [&] { compute_accelerations(on, p, scene); });
+  AllModels::all<stage::AddForces>(s);
   s.time("stable_time_step", [&] { find_extremes(on, p, s.state); });
   AllModels::all<stage::FindLimits>(s);
   s.time("stable_time_step", [&] { stable_time_step(s); });

@@ -124,6 +124,15 @@ void choose_clusters(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
   selection.choose(p.all_fluid(),
                    declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index c) { return (marks[c] & reaches_sediment) == 0; }),
                    p.clusters_of_water);
+  if (scene.needs_near_walls) {
+    selection.choose(p.all_fluid(), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index c) {
+                       for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
+                         if (list.entries[e] >= list.fluid_count && list.entries[e] < list.count) return true;
+                       }
+                       return false;
+                     }),
+                     p.clusters_near_walls);
+  }
   if (scene.has_states) {
     selection.choose(p.all_fluid(), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index c) {
                        constexpr std::uint8_t both = has_sediment | reaches_water;

@@ -50,6 +50,14 @@ struct AtStrength {
     return M::at_strength(step);
   }
 };
+/// After the explicit accelerations: terms of models, added to them.
+struct AddForces {
+  static constexpr const char* heading = "add_forces";
+  template <class M, class C>
+  static auto run(C& step) -> decltype(M::add_forces(step)) {
+    return M::add_forces(step);
+  }
+};
 /// Finds what bounds the step; M::limit_step(scene, state) then shortens it, on the device.
 struct FindLimits {
   static constexpr const char* heading = "stable_time_step";

@@ -51,6 +51,7 @@ struct ParticleCore {
   Buffer<Index> clusters_with_sediment;   // fluid clusters with sediment in or within reach
   Buffer<Index> clusters_of_walls;        // wall clusters with fluid in reach
   Buffer<Index> clusters_of_water;        // fluid clusters that are not in clusters_with_sediment
+  Buffer<Index> clusters_near_walls;      // fluid clusters with walls in reach; empty unless scene.needs_near_walls
   Buffer<Index> clusters_at_bed_surface;  // fluid clusters that have sediment, and water in reach
 
   // If some sediment rests (models/rest): the part of those clusters that has to be computed.
@@ -87,6 +88,7 @@ struct ParticleCore {
   [[nodiscard]] ClusterRange walls_near_fluid() const {
     return range(any_resting ? clusters_of_walls_active : clusters_of_walls);
   }
+  [[nodiscard]] ClusterRange near_walls() const { return range(clusters_near_walls); }
   [[nodiscard]] ClusterRange at_bed_surface() const { return range(clusters_at_bed_surface); }
   [[nodiscard]] ClusterRange rest_front() const { return range(clusters_rest_front); }
   [[nodiscard]] ClusterRange part_resting() const { return range(clusters_part_resting); }

@@ -34,6 +34,7 @@ struct FlowScene {
   float artificial_viscosity = 0;    // alpha c h [m^2/s]
   double cfl = 0;
   bool has_sediment = false;
+  bool needs_near_walls = false;  // some model sums over the fluid with walls in reach (Particles::near_walls)
 
   HOST_DEVICE float density_at_rest(float kind) const { return kind > 0.5F ? sediment_density : water_density; }
   HOST_DEVICE float stiffness(float kind) const { return tait_stiffness(density_at_rest(kind), sound_speed); }

@@ -147,8 +147,8 @@ double largest_difference(Setting<W, Real>& s) {
     compare(sums.momentum[i].force[2], r.force);
     compare(sums.water[i].compression, r.compression);
     compare(sums.strain[i].diffusion, r.diffusion);
-    compare(sums.strain[i].gradient[0][1], r.gradient);
-    compare(sums.strain[i].moment[4], r.moment);
+    compare(sums.strain[i].velocity.gradient[0][1], r.gradient);
+    compare(sums.strain[i].velocity.moment[4], r.moment);
   }
   return largest;
 }
