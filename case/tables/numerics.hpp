@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "case/models/two_pass.hpp"
 #include "case/tables/table.hpp"
 #include "physics/water/viscosity_treatment.hpp"
 
@@ -51,7 +50,6 @@ struct Numerics {
   double list_skin = 0.15;       // [-]
   double excluded_limit = 1e-3;  // [-]
   Precision precision = Precision::single_sums;
-  Integrator integrator = Integrator::leapfrog;
 
   template <class V>
   void describe(V& v) {
@@ -84,7 +82,6 @@ struct Numerics {
     v.number("excluded_limit", excluded_limit, 0, 1,
              "Share of the fluid particles that may leave the domain before the run stops with an error.");
     v.choice("precision", precision, "Precision in which a particle's sums over its neighbours are computed.");
-    v.choice("integrator", integrator, "How a step in time is made.");
   }
 
   /// A level of accuracy sets the defaults of other keys. Throws InputError when it is asked of a resolved case.
