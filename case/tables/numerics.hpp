@@ -44,6 +44,7 @@ struct Numerics {
   double cfl = 0.5;                    // [-]
   double density_diffusion = 0.1;      // [-]
   double artificial_viscosity = 0.02;  // [-]
+  double acoustic_damper = 1;          // [-]
   ViscosityTreatment viscosity = ViscosityTreatment::implicit;
   double viscous_tolerance = 1e-3;  // [-]
   int viscous_iterations = 1000;
@@ -72,6 +73,8 @@ struct Numerics {
     v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
     v.number("artificial_viscosity", artificial_viscosity, 0, 1,
              "Alpha of the artificial viscosity between approaching particles of one phase.");
+    v.number("acoustic_damper", acoustic_damper, 0, 1,
+             "Factor of the acoustic damper, a bulk viscosity of c h that quiets sound and leaves flow alone.");
     v.choice("viscosity", viscosity, "How the viscosity of the sediment is advanced in time.");
     v.number("viscous_tolerance", viscous_tolerance, 1e-8, 0.1,
              "Residual at which the implicit viscosity stops, over the momentum one step of gravity gives.");

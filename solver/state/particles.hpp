@@ -71,7 +71,7 @@ struct ParticleCore {
     v.array(field::mass, mass, sorted | halo, 0.0F);
     v.array(field::id, id, sorted, std::int64_t{0});
     v.array(field::type, type, sorted, std::uint8_t{0});
-    v.array(field::rates, rates, sorted, Rates{});
+    v.array(field::rates, rates, sorted | checkpointed, Rates{});
     if (!role.empty()) v.array(field::role, role, sorted | checkpointed, Role::integrated);
   }
 
