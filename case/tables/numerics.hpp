@@ -67,9 +67,10 @@ struct Numerics {
                "Largest speed expected, from which the sound speed follows; 0: 2 sqrt(g H), H the height of the fluid "
                "at the start.");
     v.number(
-        "cfl", cfl, 0.01, 100,
-        "Courant number of the acoustic and force time steps; errors do not depend on it up to 1.0 "
-        "(docs/speed-against-error.md), but near 0.7 splashes begin to gain energy; at 2 a run diverges and says so.");
+        "cfl", cfl, 0.01, 0.8,
+        "Courant number of the acoustic and force time steps. Errors do not depend on it "
+        "(docs/speed-against-error.md), but near 0.7 splashes begin to gain energy. The acoustic damper is stable to "
+        "0.7 and diverges at 1.0; so more than 0.8 is refused.");
     v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
     v.number("artificial_viscosity", artificial_viscosity, 0, 1,
              "Alpha of the artificial viscosity between approaching particles of one phase.");
