@@ -8,7 +8,6 @@
 #include "solver/models/seepage/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
-#include "solver/models/two_pass/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
 //
@@ -25,7 +24,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
-                            StatesModel, RestModel>;
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel>;
 
 }  // namespace thalweg

@@ -43,7 +43,6 @@ void announce_sediment(const Case& c) {
 void announce_choices(const Case& of) {
   announce("numerics.accuracy", of.numerics.accuracy, Numerics{}.accuracy);
   announce("numerics.precision", of.numerics.precision, Numerics{}.precision);
-  announce("numerics.integrator", of.numerics.integrator, Numerics{}.integrator);
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
 }
