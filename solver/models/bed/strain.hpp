@@ -16,7 +16,7 @@ template <int Dim>
 struct ContinuityAndStrainSweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
   using reads = Reads<field::place, field::flow, field::matter>;
-  using writes = Writes<field::rates, field::sediment>;
+  using writes = Writes<field::rates, field::sediment, field::dissipation>;
   static constexpr unsigned kernel = kernel_value | kernel_gradient;
   template <class L>
   struct Sum {
@@ -29,6 +29,7 @@ struct ContinuityAndStrainSweep {
 
   ContinuitySweep<Dim> continuity;
   Sediment* sediment;
+  float* dissipation;  // nullptr without artificial viscosity
 
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
@@ -62,6 +63,7 @@ struct ContinuityAndStrainSweep {
     const StrainRate strain = strain_rate<Dim>(gradient);
     sediment[i].strain_rate = strain.magnitude;
     sediment[i].lode_sine = strain.lode_sine;
+    if (dissipation != nullptr) dissipation[i] = acting_share<Dim>(sum.velocity.gradient, continuity.scene);
   }
 
   /// The rate at which sediment takes over the water's pressure [1/s].
@@ -83,7 +85,7 @@ void compute_density_rates(Device& on, Particles<Device>& p, const Scene<Dim>& s
   compute_water_density_rates(on, p, scene);
   if (!scene.has_sediment) return;
   const ContinuitySweep<Dim> water{p.record.data(), p.rates.data(), scene};
-  const ContinuityAndStrainSweep<Dim> with_strain{water, p.sediment.data()};
+  const ContinuityAndStrainSweep<Dim> with_strain{water, p.sediment.data(), p.dissipations()};
   sweep(on, p, scene, p.near_sediment(), with_strain);
   if (p.any_resting) sweep(on, p, scene, p.rest_front(), with_strain);
 }
