@@ -18,6 +18,12 @@ HOST_DEVICE inline Real compression_by_water(Real own, Real by_water) {
   return by_water > -own ? by_water : -own;
 }
 
+template <class Real>
+HOST_DEVICE inline Real held_share(Real bed_share) {
+  const Real s = (bed_share - Real(0.15)) * 5;
+  return s < 0 ? 0 : s > 1 ? 1 : s;
+}
+
 /// Rate of the density excess [1/s] that leads the pressure p of sediment to the pressure P of the water over it,
 ///   R = 0.1 min(1, 4 S) m/(rho_s c h),   m = P - p without its part within +-band
 /// P = sum_w V W [p_w + (rho_w + rho_s)/2 g.r]/S, S = sum_w V W over the water. Halfway between a row of sediment and one

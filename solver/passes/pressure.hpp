@@ -20,7 +20,7 @@ struct EquationOfStatePass {
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
-    if (dissipation != nullptr) r.dissipation = is_water(r) ? dissipation[i] : 1;
+    if (dissipation != nullptr) r.dissipation = dissipation[i];
     if (r.volume == 0 || is_resting(r)) return;
     const float rho0 = scene.density_at_rest(r.kind);
     r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) +

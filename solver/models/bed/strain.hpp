@@ -22,6 +22,7 @@ struct ContinuityAndStrainSweep {
   struct Sum {
     L diffusion;
     L by_water;        // compression by water [1/s]
+    L bed_share;       // sum over sediment and walls of V W [-]
     L water_share;     // sum over water of V W [-]
     L water_pressure;  // of V W times its pressure at the place of a [Pa]
     GradientSum<Dim, L> velocity;
@@ -41,7 +42,9 @@ struct ContinuityAndStrainSweep {
     const Scene<Dim>& scene = continuity.scene;
     L g_dot_r = g.r[0] * L(scene.gravity[0]);
     for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + g.r[k] * L(scene.gravity[k]);
-    const L share = lane_select(b_water, b.volume * g.W, L(0.0F));
+    const L value = b.volume * g.W;
+    const L share = lane_select(b_water, value, L(0.0F));
+    sum.bed_share += value - share;
     sum.by_water += lane_select(b_water, -weight * dot(u, g.r), L(0.0F));
     sum.water_share += share;
     sum.water_pressure += share * (b.pressure + L(0.5F * (scene.water_density + scene.sediment_density)) * g_dot_r);
@@ -51,13 +54,16 @@ struct ContinuityAndStrainSweep {
     float compression = 0;
     for (int k = 0; k < Dim; ++k) compression -= sum.velocity.gradient[k][k];
     const Record& r = continuity.records[i];
+    const Scene<Dim>& scene = continuity.scene;
+    float held = 0;
     const bool under_water = is_sediment(r) && sum.water_share > 0;
     if (under_water) {
       const float own = compression - sum.by_water;
-      compression = own + compression_by_water(own, sum.by_water);
+      held = held_share(sum.bed_share - r.volume * scene.kernel.value(1.0F));
+      compression = own + held * compression_by_water(own, sum.by_water) + (1 - held) * sum.by_water;
     }
     continuity.end(i, compression, sum.diffusion);
-    if (under_water && !is_resting(r)) continuity.rates[i].excess_rate += exchange(r, sum);
+    if (under_water && !is_resting(r)) continuity.rates[i].excess_rate += held * exchange(r, sum);
     float gradient[Dim][Dim];
     corrected_gradient(sum.velocity, gradient);
     const StrainRate strain = strain_rate<Dim>(gradient);

@@ -47,7 +47,7 @@ struct MixtureStatePass {
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
     pores[i] = {1, 0};
-    if (dissipation != nullptr) r.dissipation = is_water(r) ? dissipation[i] : 1;
+    if (dissipation != nullptr) r.dissipation = dissipation[i];
     if (r.volume == 0) return;
     if (is_sediment(r)) {
       r.volume = mass[i] / scene.sediment_density;
