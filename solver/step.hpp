@@ -102,6 +102,7 @@ void begin_step(Step<Dim, Device>& s) {
   s.time("stable_time_step", [&] { stable_time_step(s); });
   on.skip_unless(&s.state->go);
   AllModels::all<stage::AtMidpoint>(s);
+  if (scene.two_pass) AllModels::all<stage::AddForces>(s);  // to the accelerations of half-way
   AllModels::first<stage::AtKick>(s, [&] { kick(on, p, s.state); });
   AllModels::all<stage::BeginImplicit>(s);
   on.skip_unless(nullptr);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "case/models/rule.hpp"
 #include "case/tables/table.hpp"
 
 namespace thalweg {
@@ -17,5 +19,15 @@ inline constexpr std::array<Choice<WallFriction>, 4> choices(WallFriction) {
            {WallFriction::rough, "rough",
             "the same with the `roughness` of each wall shape (Nikuradse's sand-grain roughness)"}}};
 }
+
+namespace models {
+
+/// Shear stress of turbulent water on smooth or rough walls (solver/models/wall_stress/).
+struct WallStress {
+  static bool is_on(const Case& whole);
+  static std::vector<Rule> rules();
+};
+
+}  // namespace models
 
 }  // namespace thalweg

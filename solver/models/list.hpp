@@ -9,6 +9,7 @@
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
 #include "solver/models/two_pass/model.hpp"
+#include "solver/models/wall_stress/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
 //
@@ -26,6 +27,6 @@ namespace thalweg {
 
 /// The list. Within a stage models run in this order.
 using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
-                            StatesModel, RestModel>;
+                            StatesModel, RestModel, WallStressModel>;
 
 }  // namespace thalweg
