@@ -46,6 +46,12 @@ void Numerics::check(const Case& whole, const CheckContext& at) const {
                           axis_name(axis), format_quantity(extent, "m")),
               "reduce it");
   }
+  if (artificial_viscosity == 0 && density_diffusion == 0 && acoustic_damper == 0) {
+    at.reject("numerics.acoustic_damper",
+              "artificial_viscosity, density_diffusion and acoustic_damper are all 0: nothing damps sound, and the "
+              "energy of waves rises",
+              "write acoustic_damper = 1");
+  }
   if (maximum_speed == 0 && whole.domain.gravity.isZero(0)) {
     at.reject("numerics.maximum_speed", "without gravity the largest speed cannot be estimated",
               "give numerics.maximum_speed");

@@ -9,7 +9,6 @@
 #include "solver/models/seepage/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
-#include "solver/models/two_pass/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
 //
@@ -26,7 +25,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, NoSlipModel, ViscosityModel,
-                            PoreModel, StatesModel, RestModel>;
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, StatesModel, RestModel>;
 
 }  // namespace thalweg

@@ -99,6 +99,7 @@ void make_flow(const Case& from, const ParticleSet& particles, double sound_spee
   s.sediment_density = s.water_density;
   s.diffusion = static_cast<float>(2 * n.density_diffusion * h * sound_speed);
   s.artificial_viscosity = static_cast<float>(n.artificial_viscosity * sound_speed * h);
+  s.acoustic_damping = static_cast<float>(n.acoustic_damper * sound_speed * h);
   s.cfl = n.cfl;
   s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
 }

@@ -32,6 +32,7 @@ struct FlowScene {
   bool wall_friction = false;        // of water
   float diffusion = 0;               // 2 delta h c [m^2/s]
   float artificial_viscosity = 0;    // alpha c h [m^2/s]
+  float acoustic_damping = 0;        // a c h [m^2/s]
   double cfl = 0;
   bool has_sediment = false;
   bool needs_near_walls = false;  // some model sums over the fluid with walls in reach (Particles::near_walls)
