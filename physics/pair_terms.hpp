@@ -38,16 +38,6 @@ HOST_DEVICE inline L viscous_coefficient(const L& V_a, const L& V_b, const L& et
   return -V_a * V_b * eta_sum * F;
 }
 
-/// Viscosity [Pa s] between two particles of sediment: the geometric mean. The stress between them is one, so that 1/eta
-/// has its mean over the way, and a yield-stress fluid's viscosity changes exponentially rather than linearly, by
-/// orders of magnitude over a few particles. With eta_b = q eta_a that mean is eta_a q ln q/(q - 1): 1.39 eta_a for q = 2
-/// (geometric 1.41, arithmetic 1.5), 2.56 for 10 (3.16, 5.5). The arithmetic mean holds back what shears beside a plug:
-/// error of a slot's flow at 40 spacings across, h = 2 dp, 1.8 % with it and 0.8 % with this one.
-template <class L>
-HOST_DEVICE inline L viscosity_between(const L& eta_a, const L& eta_b) {
-  return lane_sqrt(eta_a * eta_b);
-}
-
 /// Viscosity [Pa s] of a pair of water and sediment, in place of (eta_a + eta_b)/2. It stands for the rough-wall shear
 /// layer between the two:
 ///   mu_w + C rho_w (kappa/2)^2 |u_ab| dp,   kappa = 0.41, C = 0.4

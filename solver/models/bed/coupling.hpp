@@ -20,10 +20,11 @@ struct ViscousCoupling {
   HOST_DEVICE L coefficient(const LaneT& a, const LaneT& b, const Vec<Dim, L>& u, const PairGeometry<Dim, L>& g) const {
     const auto a_sediment = is_sediment(a);
     const auto b_sediment = is_sediment(b);
+    const auto b_wall = is_wall(b);
     const L interface = L(2.0F) * interface_viscosity(L(scene.water_viscosity), L(scene.water_density),
                                                       lane_sqrt(dot(u, u)), L(static_cast<float>(scene.spacing)));
-    const L at_b = lane_select(is_wall(b), a.viscosity, b.viscosity);
-    const L of_sediment = lane_select(is_water(b), interface, L(2.0F) * viscosity_between(a.viscosity, at_b));
+    const L among_sediment = lane_select(b_sediment, a.viscosity + b.viscosity, interface);
+    const L of_sediment = lane_select(b_wall, a.viscosity + a.viscosity, among_sediment);
     const L of_water = lane_select(b_sediment, interface, L(0.0F));
     return viscous_coefficient(a.volume, b.volume, lane_select(a_sediment, of_sediment, of_water), g.F);
   }
