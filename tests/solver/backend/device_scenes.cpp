@@ -115,6 +115,7 @@ std::vector<DeviceScene> device_scenes() {
           with(slump, "pressure of state", [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::eos; }),
           with(slump, "capped viscosity", [](Scene<2>& s) { s.viscosity = ViscosityTreatment::capped; }),
           with(slump, "wall friction", [](Scene<2>& s) { s.wall_friction = true; }),
+          with(slump, "water that sticks to walls", [](Scene<2>& s) { s.water_sticks = s.needs_near_walls = true; }),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
             s.pores.consolidation = 1e-3F;
