@@ -3,6 +3,7 @@
 #include "solver/models/bed/model.hpp"
 #include "solver/models/implicit/model.hpp"
 #include "solver/models/moving_walls/model.hpp"
+#include "solver/models/no_slip/model.hpp"
 #include "solver/models/pore_pressure/model.hpp"
 #include "solver/models/rest/model.hpp"
 #include "solver/models/seepage/model.hpp"
@@ -25,7 +26,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel,
-                            WallStressModel>;
+using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
+                            StatesModel, RestModel, WallStressModel>;
 
 }  // namespace thalweg

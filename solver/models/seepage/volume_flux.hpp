@@ -64,7 +64,7 @@ struct MixtureContinuitySweep {
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     sum.diffusion += pair_diffusion(a, b, g, b.volume * g.F, same_phase(a, b), own.continuity.scene);
-    sum.velocity.add(b.work - a.work, g, mixture::volume_seen(a, b) * g.F);
+    own.add_velocity(b, b.work - a.work, g, mixture::volume_seen(a, b) * g.F, sum);
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {

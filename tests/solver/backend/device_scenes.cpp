@@ -121,6 +121,7 @@ std::vector<DeviceScene> device_scenes() {
           with(slump, "capped viscosity", [](Scene<2>& s) { s.viscosity = ViscosityTreatment::capped; }),
           with(slump, "stress on walls", feel_walls),
           with(pushed(), "stress on moving walls", feel_walls),
+          with(slump, "water that sticks to walls", [](Scene<2>& s) { s.water_sticks = s.needs_near_walls = true; }),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
             s.pores.consolidation = 1e-3F;
