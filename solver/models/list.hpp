@@ -8,6 +8,7 @@
 #include "solver/models/seepage/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
+#include "solver/models/sub_particle/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
 //
@@ -24,7 +25,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels =
-    ModelList<MixtureModel, MovingWallsModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel>;
+using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, ViscosityModel, PoreModel, SubParticleModel,
+                            StatesModel, RestModel>;
 
 }  // namespace thalweg

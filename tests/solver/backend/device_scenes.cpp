@@ -114,6 +114,7 @@ std::vector<DeviceScene> device_scenes() {
                [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::laplace; }),
           with(slump, "pressure of state", [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::eos; }),
           with(slump, "capped viscosity", [](Scene<2>& s) { s.viscosity = ViscosityTreatment::capped; }),
+          with(slump, "sub-particle stress", [](Scene<2>& s) { s.sub_particle_stress = true; }),
           with(slump, "wall friction", [](Scene<2>& s) { s.wall_friction = true; }),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
