@@ -7,7 +7,7 @@ namespace thalweg {
 
 /// Pair sweep: acceleration by pressure, artificial viscosity, water's own viscosity and gravity,
 ///   rho_a du_a/dt = - sum_b V_b (P_a + P_b + Pi_ab) grad W + sum_b V_b 2 mu_w F u_ab + rho_a g
-/// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a; forces m_a du_a/dt are antisymmetric pair by pair. The viscosity
+/// the paper's (7) with Pi_ab reduced by viscosity_switch.hpp and m_b/(rho_a rho_b) = V_b/rho_a; forces m_a du_a/dt are antisymmetric pair by pair. The viscosity
 /// of sediment, and between water and sediment, is left to models/implicit/. With wall_friction, water
 /// beside a wall has the viscosity of smooth_wall_viscosity in place of mu_w; without it walls are frictionless for
 /// water.
@@ -34,7 +34,8 @@ struct MomentumSweep {
 
     const auto same = same_phase(a, b);
     const L rho0 = lane_select(is_sediment(a), L(scene.sediment_density), L(scene.water_density));
-    const L strength = lane_select(same, rho0 * L(scene.artificial_viscosity), L(0.0F));
+    const L acting = L(0.5F * scene.artificial_viscosity) * (a.dissipation + b.dissipation);
+    const L strength = lane_select(same, rho0 * acting, L(0.0F));
     const L along = -(weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, g.r), inverse, strength)));
 
     // Twice the viscosity: doubling is exact, so that its place in the product does not matter. All of it but `same` is

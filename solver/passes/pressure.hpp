@@ -9,16 +9,18 @@ namespace thalweg {
 /// damper; volume from mass and density. Particles at rest get theirs from their neighbours (models/rest/resting_pressure.hpp).
 template <int Dim>
 struct EquationOfStatePass {
-  using reads = Reads<field::place, field::matter, field::mass, field::rates>;
-  using writes = Writes<field::place, field::flow>;
+  using reads = Reads<field::place, field::matter, field::mass, field::rates, field::dissipation>;
+  using writes = Writes<field::place, field::flow, field::matter>;
 
   Record* records;
   const float* mass;
   const Rates* rates;
+  const float* dissipation;  // nullptr without artificial viscosity
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
+    if (dissipation != nullptr) r.dissipation = is_water(r) ? dissipation[i] : 1;
     if (r.volume == 0 || is_resting(r)) return;
     const float rho0 = scene.density_at_rest(r.kind);
     r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) +
@@ -29,7 +31,8 @@ struct EquationOfStatePass {
 
 template <int Dim, class Device>
 void apply_equation_of_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  on.for_each(p.fluid_count, EquationOfStatePass<Dim>{p.record.data(), p.mass.data(), p.rates.data(), scene});
+  on.for_each(p.fluid_count,
+              EquationOfStatePass<Dim>{p.record.data(), p.mass.data(), p.rates.data(), p.dissipations(), scene});
 }
 
 /// Pair sum: pressure extrapolated from the moving fluid in reach, balanced for gravity (Adami, Hu & Adams 2012, J.

@@ -34,18 +34,20 @@ HOST_DEVICE inline bool is_loose(float porosity, const Scene<Dim>& scene) {
 /// not compress; their excess is that of the packing, and carries load in compression only.
 template <int Dim>
 struct MixtureStatePass {
-  using reads = Reads<field::place, field::matter, field::mass, field::rates>;
-  using writes = Writes<field::place, field::flow, field::pores>;
+  using reads = Reads<field::place, field::matter, field::mass, field::rates, field::dissipation>;
+  using writes = Writes<field::place, field::flow, field::matter, field::pores>;
 
   Record* records;
   const float* mass;
   const Rates* rates;
+  const float* dissipation;  // nullptr without artificial viscosity
   PoreState* pores;
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
     pores[i] = {1, 0};
+    if (dissipation != nullptr) r.dissipation = is_water(r) ? dissipation[i] : 1;
     if (r.volume == 0) return;
     if (is_sediment(r)) {
       r.volume = mass[i] / scene.sediment_density;
@@ -138,7 +140,8 @@ void apply_mixture_state(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   p.pores.resize(p.count);
   Record* records = p.record.data();
   PoreState* pores = p.pores.data();
-  on.for_each(p.fluid_count, MixtureStatePass<Dim>{records, p.mass.data(), p.rates.data(), pores, scene});
+  on.for_each(p.fluid_count,
+              MixtureStatePass<Dim>{records, p.mass.data(), p.rates.data(), p.dissipations(), pores, scene});
   sweep(on, p, scene, p.near_sediment(), PoreSweep<Dim>{records, pores, scene});
   on.for_each(p.fluid_count, TilePass<Dim>{records, pores, scene});
 }
