@@ -8,12 +8,14 @@
 #include "case/models/rest.hpp"
 #include "case/models/sediment_motion.hpp"
 #include "case/models/three_state.hpp"
+#include "case/models/turbulence.hpp"
 #include "case/models/wall_friction.hpp"
 
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, WallStress>;
+using All =
+    std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, WallStress, SubParticleStress>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -9,6 +9,7 @@
 #include "case/models/pore_pressure.hpp"
 #include "case/models/sediment_motion.hpp"
 #include "case/models/three_state.hpp"
+#include "case/models/turbulence.hpp"
 #include "case/models/wall_friction.hpp"
 #include "case/tables/table.hpp"
 
@@ -27,6 +28,7 @@ struct Model {
   BedShear bed_shear = BedShear::log_law;
   bool rest = true;
   WallFriction wall_friction = WallFriction::none;
+  Turbulence turbulence = Turbulence::off;
   SeepageModel seepage = SeepageModel::off;
   PorePressureModel pore_pressure = PorePressureModel::off;
 
@@ -39,6 +41,9 @@ struct Model {
         "and how states change.");
     v.choice("wall_friction", wall_friction,
              "What water feels of the walls it runs along; sediment always sticks to walls.");
+    v.choice("turbulence", turbulence,
+             "Eddies of the water that the particles are too coarse for. Walls and sediment take no part "
+             "(docs/theory.md).");
     v.choice("effective_pressure", effective_pressure, "What presses the sediment's grains together.");
     v.choice("yield", yield, "When the sediment yields.");
     v.choice("yield_fit", yield_fit,

@@ -9,6 +9,7 @@
 #include "solver/models/seepage/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
+#include "solver/models/sub_particle/model.hpp"
 #include "solver/models/wall_stress/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
@@ -27,6 +28,6 @@ namespace thalweg {
 
 /// The list. Within a stage models run in this order.
 using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
-                            StatesModel, RestModel, WallStressModel>;
+                            SubParticleModel, StatesModel, RestModel, WallStressModel>;
 
 }  // namespace thalweg

@@ -59,6 +59,7 @@ struct StepState {
   TimeStep step;
   Extremes walls;                // of moving walls; squares of speed and acceleration
   float sediment_viscosity = 0;  // [m^2/s] largest, where it is treated explicitly
+  float eddy_viscosity = 0;      // [m^2/s] largest, of the water (models/sub_particle)
   int go = 1;                    // 0: the run has diverged
   int moves = 1;                 // 0: the run has diverged or the viscous solve is not finished; no particle moves
   ViscousState viscous;

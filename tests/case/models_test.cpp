@@ -33,7 +33,7 @@ TEST(Models, BlameKeysThatExist) {
       }
     }
   });
-  EXPECT_GE(rules, 17);
+  EXPECT_GE(rules, 18);
 }
 
 TEST(Models, AreOffUnlessNamed) {

@@ -122,6 +122,7 @@ std::vector<DeviceScene> device_scenes() {
           with(slump, "stress on walls", feel_walls),
           with(pushed(), "stress on moving walls", feel_walls),
           with(slump, "water that sticks to walls", [](Scene<2>& s) { s.water_sticks = s.needs_near_walls = true; }),
+          with(slump, "sub-particle stress", [](Scene<2>& s) { s.sub_particle_stress = true; }),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
             s.pores.consolidation = 1e-3F;

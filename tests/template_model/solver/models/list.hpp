@@ -8,6 +8,7 @@
 #include "solver/models/seepage/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
+#include "solver/models/sub_particle/model.hpp"
 #include "tests/template_model/tracer/model.hpp"
 
 // Stands for solver/models/list.hpp in the test of the template model: the same list and one line more. The build puts
@@ -15,7 +16,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels =
-    ModelList<MixtureModel, MovingWallsModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel, TracerModel>;
+using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, ViscosityModel, PoreModel, SubParticleModel,
+                            StatesModel, RestModel, TracerModel>;
 
 }  // namespace thalweg
