@@ -69,9 +69,9 @@ class StandingWave:
 class DryBed:
     """Contact of a dam-break wave with the bed it runs over, which was dry.
 
-    In each snapshot after `settled` and each column of the bed a spacing wide, beyond the gate, that has at least three water particles
-    within a spacing of its middle: height of the lowest of them over the bed's surface, in spacings. The bed's surface is half a spacing
-    above its highest particle, counted upwards without a gap; contact is 0.5. contact, contact 90 %: median and 90 % of all.
+    In each snapshot after `settled` and each column of the bed a spacing wide, beyond the gate, that has at least three water
+    particles: height of the lowest of them over the bed's surface, in spacings. The bed's surface is half a spacing
+    above its highest particle, counted upwards without a gap of two spacings; contact is 0.5. contact, contact 90 %: median and 90 % of all.
     Pressure of that highest bed particle less that of the lowest water and the weight between, (rho_w + rho_s)/2 g dz: median and
     90 % of its magnitude [Pa]. front: of the water at the end [m], half a spacing beyond the third foremost particle."""
 
@@ -105,12 +105,10 @@ class DryBed:
             if kind == bed_kind and (kind == SEDIMENT or z < 0):
                 bed.setdefault(column, []).append((z, i))
             elif kind == WATER:
-                water.setdefault(column, []).append((x, z, i))
+                water.setdefault(column, []).append((z, i))
         for column, grains in sorted(bed.items()):
-            middle = (column + 0.5) * spacing
-            near = [(z, i) for beside in (column - 1, column, column + 1) for x, z, i in water.get(beside, [])
-                    if abs(x - middle) <= spacing]
-            if middle < self.gate or len(near) < 3:
+            near = water.get(column, [])
+            if column * spacing < self.gate or len(near) < 3:
                 continue
             top = self.top(sorted(grains), spacing) if bed_kind == SEDIMENT else max(grains)
             above = [place for place in near if place[0] > top[0]]
@@ -123,7 +121,7 @@ class DryBed:
     def top(grains, spacing):
         """The highest of the particles (z, number), lowest first, before the first gap: grains that fly do not count."""
         for below, above in zip(grains, grains[1:]):
-            if above[0] - below[0] > 1.6 * spacing:
+            if above[0] - below[0] > 2 * spacing:
                 return below
         return grains[-1]
 
