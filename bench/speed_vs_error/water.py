@@ -51,7 +51,7 @@ class StandingWave:
             x, z = places[3 * i], places[3 * i + 2]
             dx, dz = water_norms.mode_displacement(x, z, k, self.depth, self.amplitude)
             places[3 * i], places[3 * i + 2] = x + dx, z + dz
-            pressures[i] = water_norms.mode_pressure(x + dx, z + dz, k, self.depth, self.amplitude, self.density)
+            pressures[i] = water_norms.mode_pressure(x, z, k, self.depth, self.amplitude, self.density)
             densities[i] = tait_density(pressures[i], sound, self.density)
         replace_arrays(file, {"Points": places, "Density": densities, "Pressure": pressures})
 

@@ -30,9 +30,11 @@ def mode_displacement(x, z, wave_number, depth, amplitude):
 
 
 def mode_pressure(x, z, wave_number, depth, amplitude, density, gravity=GRAVITY):
-    """Pressure [Pa] of the linear mode at its turning point, at the place (x, z)."""
-    wave = amplitude * math.cos(wave_number * x) * math.cosh(wave_number * z) / math.cosh(wave_number * depth)
-    return density * gravity * (depth - z + wave)
+    """Pressure [Pa] of the linear mode at its turning point, of the particle that rests at (x, z): 0 at the surface. The weight of
+    the water over the place it is moved to, less what accelerates the water below a crest downwards."""
+    under = wave_number * depth
+    wave = math.cosh(wave_number * z) / math.cosh(under) - math.sinh(wave_number * z) / math.sinh(under)
+    return density * gravity * (depth - z + amplitude * math.cos(wave_number * x) * wave)
 
 
 def wave_energy(length, amplitude, density, gravity=GRAVITY):
