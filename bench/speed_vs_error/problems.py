@@ -166,7 +166,7 @@ class Impact:
 
     noise: root mean square of the three sensors, each less its running mean over 10 ms, on the plateau behind the peak, t* = 3.5 to 4;
     noise after the peak: that of the first sensor alone, t* = 2.5 to 4; peak: highest reading of the first sensor over the highest
-    measured; start-up noise: as noise, of a sensor on the floor under the column in the first 0.2 s, before the wave of the
+    measured; release noise: as noise, of a sensor on the floor under the column in the first 0.2 s, before the wave of the
     release is there (a still tank has none of the release's sound)."""
 
     start = None
@@ -196,7 +196,7 @@ class Impact:
                 "noise": norms.rms(noise(sensor, 3.5, 4) for sensor in ("p1", "p3", "p4")),
                 "noise after the peak": noise("p1", 2.5, 4),
                 "peak": max(p for _, p in first) / self.peak,
-                "start-up noise": noise("floor", 0, 0.2 / time),
+                "release noise": noise("floor", 0, 0.2 / time),
                 "energy rise": water.energy_rise(run)}
 
 

@@ -110,6 +110,13 @@ def noise(series, window, begin, end):
     return math.sqrt(squares / count)
 
 
+def deviation(series, begin, end):
+    """Root mean square of samples (time, value) about their mean, for begin <= time < end."""
+    values = [value for t, value in series if begin <= t < end]
+    mean = sum(values) / len(values)
+    return math.sqrt(sum((value - mean) ** 2 for value in values) / len(values))
+
+
 def rise_above_start(energies):
     """Largest rise of an energy above its first value; 0 if it never rises."""
     return max(0.0, max(energies) - energies[0])

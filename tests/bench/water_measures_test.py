@@ -80,6 +80,10 @@ class Signals(unittest.TestCase):
         self.assertAlmostEqual(water_norms.noise(tone, 0.01, 0.1, 0.9), 0.3 / math.sqrt(2), delta=0.003)
         self.assertAlmostEqual(water_norms.noise([(t, 5 * t) for t in times], 0.01, 0.1, 0.9), 0, places=9)
 
+    def test_deviation_is_about_the_mean_of_its_interval(self):
+        tone = [(0.001 * n, 7 + 0.2 * math.sin(2 * math.pi * n / 50)) for n in range(500)] + [(0.5, 100.0)]
+        self.assertAlmostEqual(water_norms.deviation(tone, 0.25, 0.5), 0.2 / math.sqrt(2), delta=1e-6)
+
     def test_only_rises_above_the_start_count(self):
         self.assertEqual(water_norms.rise_above_start([5, 4, 4.5, 3]), 0)
         self.assertEqual(water_norms.rise_above_start([5, 4, 7, 6]), 2)
