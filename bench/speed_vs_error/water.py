@@ -69,9 +69,9 @@ class StandingWave:
 class DryBed:
     """Contact of a dam-break wave with the bed it runs over, which was dry.
 
-    In each snapshot after `settled` and each column of the bed a spacing wide, beyond the gate, that has at least three water
-    particles: height of the lowest of them over the bed's surface, in spacings. The bed's surface is half a spacing
-    above its highest particle, counted upwards without a gap of two spacings; contact is 0.5. contact, contact 90 %: median and 90 % of all.
+    In each snapshot after `settled` and each column of the bed a spacing wide, beyond the gate, that has water: height of the lowest of them over the bed's surface, in spacings. The bed's surface is half a spacing
+    above its highest particle within a spacing of the column's middle, counted upwards without a gap of two spacings, so that the place
+    of a lone missing grain is no void; contact is 0.5. contact, contact 90 %: median and 90 % of all.
     Pressure of that highest bed particle less that of the lowest water and the weight between, (rho_w + rho_s)/2 g dz: median and
     90 % of its magnitude [Pa]. front: of the water at the end [m], half a spacing beyond the third foremost particle."""
 
@@ -103,12 +103,14 @@ class DryBed:
             x, z = places[3 * i], places[3 * i + 2]
             column = math.floor(x / spacing)
             if kind == bed_kind and (kind == SEDIMENT or z < 0):
-                bed.setdefault(column, []).append((z, i))
+                bed.setdefault(column, []).append((x, z, i))
             elif kind == WATER:
                 water.setdefault(column, []).append((z, i))
-        for column, grains in sorted(bed.items()):
-            near = water.get(column, [])
-            if column * spacing < self.gate or len(near) < 3:
+        for column, near in sorted(water.items()):
+            middle = (column + 0.5) * spacing
+            grains = [(z, i) for beside in (column - 1, column, column + 1) for x, z, i in bed.get(beside, [])
+                      if abs(x - middle) <= spacing]
+            if middle < self.gate or not grains:
                 continue
             top = self.top(sorted(grains), spacing) if bed_kind == SEDIMENT else max(grains)
             above = [place for place in near if place[0] > top[0]]

@@ -128,9 +128,16 @@ class Contact(unittest.TestCase):
         (height, _), = self.found(void=0, flying=True)
         self.assertAlmostEqual(height, 0.5)
 
-    def test_spray_does_not_count(self):
+    def test_the_place_of_a_lone_missing_grain_is_no_void(self):
+        """The column has lost its highest grain; the next one, a spacing aside, has not."""
         particles = self.column(void=0)
-        particles["Type"] = [kind if kind != WATER or n < 6 else 1 for n, kind in enumerate(particles["Type"])]
+        particles["Points"][0:3] = [0.3074, 0.0, -0.0025]
+        (height, _), = water.DryBed().columns(particles, 0.005)
+        self.assertAlmostEqual(height, 0.5)
+
+    def test_only_columns_beyond_the_gate_count(self):
+        particles = self.column(void=0)
+        particles["Points"] = [value - 0.1 if n % 3 == 0 else value for n, value in enumerate(particles["Points"])]
         self.assertEqual(list(water.DryBed().columns(particles, 0.005)), [])
 
 
