@@ -3,6 +3,8 @@
 import bisect
 import math
 
+from norms import slope
+
 GRAVITY = 9.81  # [m/s^2]
 
 
@@ -38,7 +40,7 @@ def mode_pressure(x, z, wave_number, depth, amplitude, density, gravity=GRAVITY)
 
 
 def wave_energy(length, amplitude, density, gravity=GRAVITY):
-    """Energy [J/m] of a standing wave over that of water at rest: density g a^2 L/4, half waves of any number."""
+    """Energy [J/m] of a standing wave of any number of half waves over that of water at rest: density g a^2 L/4."""
     return density * gravity * amplitude ** 2 * length / 4
 
 
@@ -46,7 +48,6 @@ def vertex(points):
     """The vertex (time, value) of the parabola through samples (time, value), least squares; three samples or more."""
     middle = sum(t for t, _ in points) / len(points)
     half = max(abs(t - middle) for t, _ in points)
-    # in s = (t - middle)/half, whose odd moments do not all vanish for uneven samples: the full normal equations
     sums = [sum(((t - middle) / half) ** n for t, _ in points) for n in range(5)]
     right = [sum(v * ((t - middle) / half) ** n for t, v in points) for n in range(3)]
     c = solve3([[sums[i + j] for j in range(3)] for i in range(3)], right)
@@ -62,13 +63,6 @@ def solve3(matrix, right):
 
     whole = determinant(matrix)
     return [determinant([[right[i] if j == k else matrix[i][j] for j in range(3)] for i in range(3)]) / whole for k in range(3)]
-
-
-def line(xs, ys):
-    """Slope and value at 0 of the straight line through points, least squares."""
-    mean_x, mean_y = sum(xs) / len(xs), sum(ys) / len(ys)
-    slope = sum((x - mean_x) * (y - mean_y) for x, y in zip(xs, ys)) / sum((x - mean_x) ** 2 for x in xs)
-    return slope, mean_y - slope * mean_x
 
 
 def decay_of_swing(kinetic, period):
@@ -89,8 +83,9 @@ def decay_of_swing(kinetic, period):
     for (before, _), (after, _) in zip(peaks, peaks[1:]):
         dips.append(min(k for t, k in kinetic if before < t < after))
     beside = [dips[0], *((a + b) / 2 for a, b in zip(dips, dips[1:])), dips[-1]]
-    half_found, _ = line(range(len(peaks)), [t for t, _ in peaks])
-    rate, _ = line([t for t, _ in peaks], [math.log(max(k - dip, 1e-300)) for (_, k), dip in zip(peaks, beside)])
+    times = [t for t, _ in peaks]
+    half_found = slope(range(len(peaks)), times)
+    rate = slope(times, [math.log(max(k - dip, 1e-300)) for (_, k), dip in zip(peaks, beside)])
     return 1 - math.exp(rate * 2 * half_found), 2 * half_found, dips[-1] / peaks[-1][1]
 
 
