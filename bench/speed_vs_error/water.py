@@ -69,11 +69,12 @@ class StandingWave:
 class DryBed:
     """Contact of a dam-break wave with the bed it runs over, which was dry.
 
-    In each snapshot after `settled` and each column of the bed a spacing wide, beyond the gate, that has water: height of the lowest of them over the bed's surface, in spacings. The bed's surface is half a spacing
-    above its highest particle within a spacing of the column's middle, counted upwards without a gap of two spacings, so that the place
-    of a lone missing grain is no void; contact is 0.5. contact, contact 90 %: median and 90 % of all.
-    Pressure of that highest bed particle less that of the lowest water and the weight between, (rho_w + rho_s)/2 g dz: median and
-    90 % of its magnitude [Pa]. front: of the water at the end [m], half a spacing beyond the third foremost particle."""
+    In each snapshot after `settled` and each column of a spacing's width beyond the gate that has water: height of the lowest water over
+    the bed's surface, in spacings. The bed's surface is half a spacing above its highest particle within a spacing of the column's
+    middle, counted upwards without a gap of two spacings, so that the place of a lone missing grain is no void; contact is 0.5.
+    contact, contact 90 %: median and 90 % of all. pressure, pressure 90 %: of that bed particle less that of the lowest water and the
+    weight between, (rho_w + rho_s)/2 g dz: median, and 90 % of the magnitude [Pa]. front: of the water at the end [m], half a spacing
+    beyond the third foremost particle."""
 
     start = None
     gate, settled = 0.25, 0.1   # [m], [s]

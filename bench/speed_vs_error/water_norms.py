@@ -85,7 +85,7 @@ def decay_of_swing(kinetic, period):
     beside = [dips[0], *((a + b) / 2 for a, b in zip(dips, dips[1:])), dips[-1]]
     times = [t for t, _ in peaks]
     half_found = slope(range(len(peaks)), times)
-    rate = slope(times, [math.log(max(k - dip, 1e-300)) for (_, k), dip in zip(peaks, beside)])
+    rate = slope(times, [math.log(k - dip) for (_, k), dip in zip(peaks, beside)])
     return 1 - math.exp(rate * 2 * half_found), 2 * half_found, dips[-1] / peaks[-1][1]
 
 
