@@ -13,6 +13,10 @@ bool Case::has_sediment() const {
                      [](const Shape& shape) { return shape.role == ShapeRole::sediment; });
 }
 
+bool Case::has_rough_walls() const {
+  return std::any_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.roughness > 0; });
+}
+
 const SedimentParameters& Case::sediment() const {
   if (sediments.empty()) {
     throw InputError(fmt::format("{}: no sediment is defined; add a table [materials.<name>]", file.string()));

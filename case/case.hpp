@@ -58,6 +58,8 @@ struct Case {
   [[nodiscard]] double smoothing_length() const { return numerics.smoothing_ratio * numerics.spacing; }
   /// True if some shape is filled with sediment.
   [[nodiscard]] bool has_sediment() const;
+  /// True if some wall's shape has a roughness.
+  [[nodiscard]] bool has_rough_walls() const;
   /// The one sediment of the scene; throws InputError when there is none or more than one.
   [[nodiscard]] const SedimentParameters& sediment() const;
 };

@@ -22,6 +22,10 @@ enum class SedimentState : std::uint8_t { none = 0, deposit = 1, bed_load = 2, s
 /// the case; 0 for particles without a motion. Absent without moving walls.
 inline constexpr const char* motion_array = "Motion";
 
+/// Name of the array with the roughness of a wall particle [m], its shape's; 0 for other particles. Absent where all walls
+/// are smooth.
+inline constexpr const char* roughness_array = "Roughness";
+
 /// Facts about a whole particle file, stored as FieldData. A program that writes on what it has read copies this
 /// struct, so that every fact passes through snapshots, checkpoints and restarts.
 struct ParticleFileInfo {

@@ -96,6 +96,7 @@ ParticleSet allocate(const Case& resolved, const std::vector<PlacedShape>& shape
     set.scalars["WallDistance"].reserve(count);
   }
   if (!resolved.motions.empty()) set.scalars[motion_array].reserve(count);
+  if (resolved.has_rough_walls()) set.scalars[roughness_array].reserve(count);
   return set;
 }
 
@@ -117,6 +118,7 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
   std::vector<double> pressures(static_cast<std::size_t>(lattice.column_length()));
   auto wall = filling.walls.begin();
   std::vector<float>* motions = resolved.motions.empty() ? nullptr : &set.scalars[motion_array];
+  std::vector<float>* roughness = resolved.has_rough_walls() ? &set.scalars[roughness_array] : nullptr;
   std::vector<float>* distances = filling.walls.empty() ? nullptr : &set.scalars["WallDistance"];
   for (std::int64_t column = 0; column < lattice.columns(); ++column) {
     start.column(column, pressures);
@@ -137,6 +139,7 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
       if (has_states)
         set.state.push_back(shape.type() == ParticleType::sediment ? SedimentState::deposit : SedimentState::none);
       if (motions != nullptr) motions->push_back(number_of_motion(resolved, *shape.shape));
+      if (roughness != nullptr) roughness->push_back(static_cast<float>(shape.shape->roughness));
       if (distances == nullptr) continue;
       const bool is_wall = shape.is_wall();
       set.normal.push_back(is_wall ? wall->normal : Eigen::Vector3f::Zero());

@@ -50,16 +50,4 @@ HOST_DEVICE inline L interface_viscosity(const L& water_viscosity, const L& wate
   return water_viscosity + L(mixing) * water_density * speed_difference * spacing;
 }
 
-/// Viscosity [Pa s] of water beside a wall, with which it feels the shear stress of a smooth wall's turbulent boundary
-/// layer (Blasius 1913 with the 1/7 power profile; Schlichting, Boundary-Layer Theory, ch. XX):
-///   tau_w = 0.0225 rho U^2 (nu/(U z))^(1/4),   eta = tau_w z/U = 0.0225 rho (U z)^(3/4) nu^(1/4),   not below mu
-/// U speed along the wall [m/s], z distance from the wall [m], half a spacing; quarter_root = nu^(1/4)
-/// [m^(1/2) s^(-1/4)]. U = 2 m/s, z = 2.5 mm: tau_w = 10.7 Pa; the log law gives 11.4 Pa.
-template <class L>
-HOST_DEVICE inline L smooth_wall_viscosity(const L& viscosity, const L& density, const L& U, const L& z,
-                                           const L& quarter_root) {
-  const L root = lane_sqrt(U * z);
-  return lane_max(viscosity, L(0.0225F) * density * root * lane_sqrt(root) * quarter_root);
-}
-
 }  // namespace thalweg

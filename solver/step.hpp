@@ -101,19 +101,18 @@ void begin_step(Step<Dim, Device>& s) {
   AllModels::all<stage::FindLimits>(s);
   s.time("stable_time_step", [&] { stable_time_step(s); });
   on.skip_unless(&s.state->go);
-  AllModels::all<stage::AtMidpoint>(s);
-  AllModels::first<stage::AtKick>(s, [&] { kick(on, p, s.state); });
+  s.time("kick", [&] { kick(on, p, s.state); });
   AllModels::all<stage::BeginImplicit>(s);
   on.skip_unless(nullptr);
 }
 
-/// Leapfrog's places and densities.
+/// Places and densities, by leapfrog.
 template <int Dim, class Device>
 void move_by_leapfrog(Step<Dim, Device>& s) {
   auto& on = s.on;
   auto& p = s.p;
   const auto& scene = s.scene;
-  drift(on, p, scene, s.state, 0.5);
+  s.time("drift", [&] { drift(on, p, scene, s.state, 0.5); });
   AllModels::all<stage::AtHalfWay>(s);
   AllModels::first<stage::AtRates>(s, [&] { compute_density_rates(on, p, scene); });
   s.time("update_density", [&] { update_density(on, p, s.state); });
@@ -128,7 +127,7 @@ void end_step(Step<Dim, Device>& s) {
   AllModels::all<stage::EndImplicit>(s);
   s.on.skip_unless(&s.state->moves);
   AllModels::all<stage::BeforeMotion>(s);
-  AllModels::first<stage::AtMotion>(s, [&] { move_by_leapfrog(s); });
+  move_by_leapfrog(s);
   AllModels::all<stage::AfterStep>(s);
   s.time("refresh_neighbours", [&] { find_drift(s.on, s.p, s.scene, s.state); });
   s.on.skip_unless(nullptr);

@@ -22,7 +22,7 @@ OF_WATER = ("ContinuitySweep", "MomentumSweep", "WallPressureSweep")  # all that
 
 
 def counts(module, only_water):
-    """{"3-D MomentumSweep<3, false>": the counts of its inner loop, and of the whole function}."""
+    """{"3-D MomentumSweep<3>": the counts of its inner loop, and of the whole function}."""
     found = {}
     for dimension, body, code in sweeps(module):
         if not only_water or body.startswith(OF_WATER):

@@ -191,12 +191,7 @@ void register_all(int edge) {
                       {.particle = rates + 2 * sizeof(Sediment)});
   register_sweep<Dim>("momentum", edge, fluid,
                       [](B& b, ClusterRange r) {
-                        b.sweep(r, MomentumSweep<Dim, false>{b.p.record.data(), b.p.rates.data(), b.scene});
-                      },
-                      {.particle = rates});
-  register_sweep<Dim>("momentum, rough walls", edge, fluid,
-                      [](B& b, ClusterRange r) {
-                        b.sweep(r, MomentumSweep<Dim, true>{b.p.record.data(), b.p.rates.data(), b.scene});
+                        b.sweep(r, MomentumSweep<Dim>{b.p.record.data(), b.p.rates.data(), b.scene});
                       },
                       {.particle = rates});
   register_sweep<Dim>(

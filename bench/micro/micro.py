@@ -34,8 +34,7 @@ BOOKKEEPING = {"family_index", "per_family_instance_index", "run_name", "run_typ
 SWEEPS = {
     r"ContinuitySweep<": "density rate",
     r"ContinuityAndStrainSweep<": "density rate and strain",
-    r"MomentumSweep<\d, false>": "momentum",
-    r"MomentumSweep<\d, true>": "momentum, rough walls",
+    r"MomentumSweep<\d>": "momentum",
     r"ViscousCoefficientSweep<\d, true": "viscous coefficients",
     r"ViscousProductSweep<\d, true": "viscous product",
     r"ViscousProductSweep<\d, false": "viscous product, nothing stored",

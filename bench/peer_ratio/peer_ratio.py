@@ -3,8 +3,8 @@
 
 Both programs start from the same particles in the middle of the collapse, which ours computes first. They use the same kernel
 (Wendland C2), smoothing length, speed of sound, artificial viscosity and density diffusion, and one thread. The measure is the
-number of evaluations of the forces on a fluid particle per second of processor time: a leapfrog step has one evaluation, a
-two-pass step and their symplectic step have two. The time before the first step (reading, first lists) is left out: for theirs
+number of evaluations of the forces on a fluid particle per second of processor time: our leapfrog step has one evaluation,
+their symplectic step has two. The time before the first step (reading, first lists) is left out: for theirs
 it is measured as a run of one step, ours reports it.
 
 FOLDER holds the sources of DualSPHysics 5.4, which are compiled with -O3 -march=native -ffast-math; without it only the
@@ -29,7 +29,6 @@ SCENE = {"name": "collapse", "spacing": 0.008, "smoothing_length": 0.012, "densi
          "artificial_viscosity": 0.02, "density_diffusion": 0.1, "cfl": 0.2}
 TANK = (1.6, 0.672, 0.4)     # [m]
 COLUMN = (0.4, 0.672, 0.304)  # [m] 50 x 84 x 38 particles
-OURS = {"leapfrog": 1, "two-pass": 2}  # evaluations a step
 CELLS = {"full": "as wide as the support (its default)", "half": "half as wide"}
 CASE = """
 [case]
@@ -101,11 +100,9 @@ def compare(given, record):
     case, n_walls = theirs(given, state)
     n = solve(given.thalweg, run, "--restart", state, "--benchmark", 1).fluid
 
-    def evaluations_of_ours(integrator):
-        evaluations = OURS[integrator]
-        cost = solve(given.thalweg, run, "--restart", state, "--benchmark", given.steps // evaluations, "--set",
-                     f"numerics.integrator={integrator}")
-        return evaluations * n * cost.steps / cost.cpu, cost
+    def evaluations_of_ours():
+        cost = solve(given.thalweg, run, "--restart", state, "--benchmark", given.steps)
+        return n * cost.steps / cost.cpu, cost
 
     def evaluations_of_theirs(cells, start):
         cpu, log = dualsphysics.take_steps(program, case, given.peer_steps, cells)
@@ -113,33 +110,31 @@ def compare(given, record):
 
     starts = {cells: statistics.median(dualsphysics.take_steps(program, case, 1, cells)[0] for _ in range(3))
               for cells in CELLS}
-    found = in_turn({name: lambda name=name: evaluations_of_ours(name) for name in OURS} |
+    found = in_turn({"ours": evaluations_of_ours} |
                     {cells: lambda cells=cells: evaluations_of_theirs(cells, starts[cells]) for cells in CELLS},
                     given.repeats)
-    our_rates = {name: [rate for rate, _ in found[name]] for name in OURS}
-    cost = found["leapfrog"][0][1]
+    our_rates = [rate for rate, _ in found["ours"]]
+    cost = found["ours"][0][1]
     their_rates = {cells: [rate for rate, _ in found[cells]] for cells in CELLS}
     version = found["full"][0][1]
-    over_theirs = {cells: ratios(our_rates["leapfrog"], their_rates[cells]) for cells in CELLS}
+    over_theirs = {cells: ratios(our_rates, their_rates[cells]) for cells in CELLS}
     record.table(f"3-D dam break, {n} fluid particles, smoothing length 1.5 spacings, from {given.start} s after the "
                  f"collapse began; {given.repeats} runs each in turn: median (least to largest)",
-                 ["program", "million evaluations/CPU s", "our leapfrog over it, pair by pair", "steps", "evaluations a step", "walls",
+                 ["program", "million evaluations/CPU s", "ours over it, pair by pair", "steps", "evaluations a step", "walls",
                   "lists built"],
-                 [*([f"Thalweg, {name}", Spread.of(r / 1e6 for r in our_rates[name]),
-                     ratios(our_rates["leapfrog"], our_rates[name]), found[name][0][1].steps, evaluations,
-                     cost.particles - cost.fluid, found[name][0][1].rebuilds] for name, evaluations in OURS.items()),
+                 [["Thalweg, leapfrog", Spread.of(r / 1e6 for r in our_rates), ratios(our_rates, our_rates), cost.steps, 1,
+                   cost.particles - cost.fluid, cost.rebuilds],
                   *([f"DualSPHysics {version}, symplectic, {dualsphysics.FLAGS}, cells {CELLS[cells]}",
                      Spread.of(r / 1e6 for r in their_rates[cells]), over_theirs[cells], given.peer_steps, 2, n_walls,
                      "every step"] for cells in CELLS)])
-    pairs = cost.neighbours * statistics.median(our_rates['leapfrog']) / 1e6
+    pairs = cost.neighbours * statistics.median(our_rates) / 1e6
     record.note(f"{cost.neighbours:.0f} neighbours in the support; ours meets {pairs:.0f} million of them a CPU second in each of two "
                 "sweeps, one for accelerations and one for density rates, beside what walls and lists take.")
     for cells, words in CELLS.items():
         record.figure(f"dam break in space, {n} particles, {cost.neighbours:.0f} neighbours: evaluations of the forces a CPU "
                       f"second, one core; beside DualSPHysics {version} with cells {words}",
-                      f"{statistics.median(our_rates['leapfrog']) / 1e6:.2f} million; "
-                      f"{statistics.median(their_rates[cells]) / 1e6:.2f} million; ratio {shown(over_theirs[cells])}; "
-                      f"{shown(ratios(our_rates['two-pass'], their_rates[cells]))} in two passes")
+                      f"{statistics.median(our_rates) / 1e6:.2f} million; "
+                      f"{statistics.median(their_rates[cells]) / 1e6:.2f} million; ratio {shown(over_theirs[cells])}")
     total = sum(cost.headings.values())
     record.table("Where ours spends its time", ["line of the step", "share"],
                  [[name, f"{100 * seconds / total:.1f} %"]

@@ -30,7 +30,7 @@ from study.tables import write_table
 
 SHOWN = ("numerics.smoothing_ratio", "numerics.cfl", "numerics.sound_speed_factor", "numerics.density_diffusion",
          "numerics.artificial_viscosity", "numerics.viscosity", "numerics.viscous_tolerance", "model.rest",
-         "numerics.precision", "numerics.integrator", "numerics.accuracy")  # columns of points.csv
+         "numerics.precision", "numerics.accuracy")  # columns of points.csv
 
 
 def value_of(case, key):

@@ -8,12 +8,12 @@
 #include "case/models/rest.hpp"
 #include "case/models/sediment_motion.hpp"
 #include "case/models/three_state.hpp"
-#include "case/models/two_pass.hpp"
+#include "case/models/wall_friction.hpp"
 
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, TwoPass>;
+using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, WallStress>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

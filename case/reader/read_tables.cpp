@@ -8,9 +8,11 @@ GivenWords given_words(const toml::table& root, const std::filesystem::path& fol
     const toml::table* table = node.as_table();
     if (table == nullptr) continue;
     for (const auto& [key, value] : *table) {
-      const toml::value<std::string>* text = value.as_string();
-      if (text == nullptr) continue;
-      given.words[fmt::format("{}.{}", table_name.str(), key.str())] = {text->get(), where_is(value, origins.file)};
+      std::string text;
+      if (const auto* word = value.as_string()) text = word->get();
+      if (const auto* number = value.as_integer()) text = std::to_string(number->get());
+      if (text.empty()) continue;
+      given.words[fmt::format("{}.{}", table_name.str(), key.str())] = {text, where_is(value, origins.file)};
     }
   }
   return given;

@@ -16,7 +16,7 @@
 
 namespace thalweg {
 
-/// All texts of the single tables of a case file.
+/// All texts and whole numbers of the single tables of a case file.
 GivenWords given_words(const toml::table& root, const std::filesystem::path& folder, const CaseOrigins& origins);
 
 /// Fills the tables of C, a struct like Case (case/tables/table_list.hpp) that also offers `int dimension() const`,

@@ -9,7 +9,7 @@
 
 namespace thalweg {
 
-/// The texts of a case file, for tables whose defaults follow from one of them (set_defaults).
+/// The texts and whole numbers of a case file, for tables whose defaults follow from one of them (set_defaults).
 struct GivenWords {
   struct Word {
     std::string text;
@@ -24,6 +24,12 @@ struct GivenWords {
   [[nodiscard]] std::string where(const std::string& key) const {
     const auto found = words.find(key);
     return found != words.end() ? found->second.where : std::string();
+  }
+
+  /// The text of the key, or `otherwise` if it is not given.
+  [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise) const {
+    const auto found = words.find(key);
+    return found != words.end() ? found->second.text : otherwise;
   }
 
   /// The enumerator that the key names; nothing if it is not given, or unknown, which the reader refuses later.

@@ -23,6 +23,7 @@ MotionTable table_of(MotionKind kind) {
       return MotionTable::angles;
     case MotionKind::gate_lift:
     case MotionKind::oscillation:
+    case MotionKind::sliding_surface:
       return MotionTable::none;
   }
   return MotionTable::none;
@@ -99,7 +100,10 @@ bool Motion::uses_key(std::string_view key, int dimension) const {
   if (key == "axis") return kind == MotionKind::rotation && dimension == 3;
   if (key == "direction") return kind != MotionKind::rotation;
   if (key == "start") return kind != MotionKind::piecewise_linear;
-  if (key == "speed" || key == "acceleration" || key == "distance") return kind == MotionKind::gate_lift;
+  if (key == "distance") return kind == MotionKind::gate_lift;
+  if (key == "speed" || key == "acceleration") {
+    return kind == MotionKind::gate_lift || kind == MotionKind::sliding_surface;
+  }
   return kind == MotionKind::oscillation;  // amplitude, period
 }
 
@@ -107,6 +111,7 @@ std::vector<std::string> Motion::needs_keys(int dimension) const {
   switch (kind) {
     case MotionKind::piecewise_linear:
     case MotionKind::gate_lift:
+    case MotionKind::sliding_surface:
       return {"direction"};
     case MotionKind::rotation:
       if (dimension == 2) return {"center"};
@@ -131,6 +136,7 @@ void Motion::check(const Case& whole, const CheckContext& at) const {
     case MotionKind::rotation:
       return check_rotation(at, *this);
     case MotionKind::gate_lift:
+    case MotionKind::sliding_surface:
       if (speed > 0 || acceleration > 0) return;
       at.reject(at.path(), at.path() + " has neither speed nor acceleration", "give one of them");
     case MotionKind::oscillation:

@@ -11,9 +11,9 @@
 
 namespace thalweg {
 
-enum class MotionKind { piecewise_linear, rotation, gate_lift, oscillation };
+enum class MotionKind { piecewise_linear, rotation, gate_lift, oscillation, sliding_surface };
 
-inline constexpr std::array<Choice<MotionKind>, 4> choices(MotionKind) {
+inline constexpr std::array<Choice<MotionKind>, 5> choices(MotionKind) {
   return {{{MotionKind::piecewise_linear, "piecewise linear",
             "along `direction` by `displacements` at `times`, or by the table in `file`; at rest before and after"},
            {MotionKind::rotation, "rotation",
@@ -24,7 +24,10 @@ inline constexpr std::array<Choice<MotionKind>, 4> choices(MotionKind) {
             "ever without `speed`); stops after `distance`"},
            {MotionKind::oscillation, "oscillation",
             "along `direction` from `start` on by amplitude (1 - cos(2 pi t/period)): from rest at one end of a stroke "
-            "of twice the amplitude"}}};
+            "of twice the amplitude"},
+           {MotionKind::sliding_surface, "sliding surface",
+            "the walls stay in place and their surface runs along `direction` from `start` on, as a belt does, with "
+            "`speed` at once, or with `acceleration` until it has `speed` (for ever without `speed`)"}}};
 }
 
 /// One [[motion]]: how moving walls move. At t = 0 they are where their shapes put them, whatever a table says there.
@@ -53,7 +56,7 @@ struct Motion {
   void describe(V& v) {
     v.text("name", name, "Name of the motion, unique in the case.");
     v.choice("kind", kind, "How it goes.");
-    v.direction("direction", direction, "piecewise linear, gate lift, oscillation: where to; any length.");
+    v.direction("direction", direction, "all but rotation: where to; any length.");
     v.quantities("times", times, "s", 0, 1e9, "piecewise linear, rotation: times of the table, increasing.");
     v.quantities("displacements", displacements, "m", -1e6, 1e6,
                  "piecewise linear: way along `direction` at `times`, counted from the one at t = 0.");
@@ -69,9 +72,10 @@ struct Motion {
         "rotation in 3-D: direction of the axis, turned about by the right-hand rule; in 2-D angles are counted "
         "counter-clockwise, x to the right and z upwards.");
     v.quantity("angular_speed", angular_speed, "rad/s", -1e6, 1e6, "rotation: angle per time, without a table.");
-    v.quantity("start", start, "s", 0, 1e9, "gate lift, oscillation, rotation with angular_speed: when it begins.");
-    v.quantity("speed", speed, "m/s", 0, 1e4, "gate lift: final speed; 0: as `acceleration` has it.");
-    v.quantity("acceleration", acceleration, "m/s^2", 0, 1e6, "gate lift: how fast it gets there; 0: at once.");
+    v.quantity("start", start, "s", 0, 1e9, "all but tables: when it begins.");
+    v.quantity("speed", speed, "m/s", 0, 1e4, "gate lift, sliding surface: final speed; 0: as `acceleration` has it.");
+    v.quantity("acceleration", acceleration, "m/s^2", 0, 1e6,
+               "gate lift, sliding surface: how fast it gets there; 0: at once.");
     v.quantity("distance", distance, "m", 0, 1e6, "gate lift: after which it stops at once; 0: never.");
     v.quantity("amplitude", amplitude, "m", 0, 1e6, "oscillation: half the stroke.");
     v.quantity("period", period, "s", 0, 1e9, "oscillation: time of one to and fro.");

@@ -54,7 +54,7 @@ bool Shape::uses_key(std::string_view key, int dimension) const {
   if (key == "name" || key == "kind" || key == "role") return true;
   if (key == "material") return role == ShapeRole::sediment;
   if (key == "motion") return role == ShapeRole::moving_wall;
-  if (key == "side") return is_wall(role);
+  if (key == "side" || key == "roughness") return is_wall(role);
   if (key == "thickness") return is_wall(role) || kind == ShapeKind::layer;
   if (key == "open") return is_wall(role) && kind == ShapeKind::box && side == WallSide::outside;
   if (key == "scale" || key == "rotate" || key == "move" || key == "repair") return traits_of(kind).from_file;

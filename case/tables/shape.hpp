@@ -112,6 +112,7 @@ struct Shape {
   WallSide side = WallSide::inside;
   std::vector<std::string> open;
   double thickness = 0;  // [m]
+  double roughness = 0;  // [m]
   int line = 0;          // where it stands in the case file, for messages; not a key
 
   template <class V>
@@ -148,6 +149,8 @@ struct Shape {
             "\"-z\", \"+z\".");
     v.quantity("thickness", thickness, "m", 0, 1e6,
                "layer: height above the floor. Walls: thickness; default: as much as the kernel's support needs.");
+    v.quantity("roughness", roughness, "m", 0, 1,
+               "Walls with model.wall_friction = \"rough\": Nikuradse's sand-grain roughness; 0: smooth.");
   }
 
   [[nodiscard]] bool uses_key(std::string_view key, int dimension) const;

@@ -124,6 +124,12 @@ void check_side(const CheckContext& at, const Shape& s) {
   }
 }
 
+void check_roughness(const CheckContext& at, const Shape& s, const Case& whole) {
+  if (s.roughness == 0 || whole.model.wall_friction == WallFriction::rough) return;
+  at.reject(at.key("roughness"), at.key("roughness") + " means nothing unless walls are rough",
+            "write wall_friction = \"rough\" in [model], or remove it");
+}
+
 void check_use(const CheckContext& at, const Shape& s, const Case& whole) {
   const bool used = std::any_of(whole.shapes.begin(), whole.shapes.end(), [&](const Shape& other) {
     return std::find(other.of.begin(), other.of.end(), s.name) != other.of.end();
@@ -242,6 +248,7 @@ void Shape::check(const Case& whole, const CheckContext& at) const {
   check_three_entries(at, "rotate", rotate);
   check_three_entries(at, "move", move);
   check_side(at, *this);
+  check_roughness(at, *this, whole);
   check_role(at, *this, whole);
   check_open_faces(at, *this);
 }

@@ -57,7 +57,7 @@ struct ParticlesOf<Device, ModelList<M...>> : ParticleCore<Device>, ArraysOf<M, 
   /// Every array of the scene: those of ParticleCore and of the models that are on.
   template <class Scene, class Visitor>
   void describe(const Scene& scene, Visitor& v) {
-    ParticleCore<Device>::describe(v);
+    ParticleCore<Device>::describe(scene, v);
     (describe_of<M>(scene, v), ...);
   }
 

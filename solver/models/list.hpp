@@ -3,12 +3,13 @@
 #include "solver/models/bed/model.hpp"
 #include "solver/models/implicit/model.hpp"
 #include "solver/models/moving_walls/model.hpp"
+#include "solver/models/no_slip/model.hpp"
 #include "solver/models/pore_pressure/model.hpp"
 #include "solver/models/rest/model.hpp"
 #include "solver/models/seepage/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
-#include "solver/models/two_pass/model.hpp"
+#include "solver/models/wall_stress/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
 //
@@ -25,7 +26,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
-                            StatesModel, RestModel>;
+using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
+                            StatesModel, RestModel, WallStressModel>;
 
 }  // namespace thalweg

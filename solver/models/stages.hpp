@@ -66,13 +66,6 @@ struct FindLimits {
     return M::find_limits(step);
   }
 };
-/// After the step is chosen and before the velocities change.
-struct AtMidpoint {
-  template <class M, class C>
-  static auto run(C& step) -> decltype(M::at_midpoint(step)) {
-    return M::at_midpoint(step);
-  }
-};
 /// After the explicit velocities: terms that are solved for implicitly begin, go on, and end.
 struct BeginImplicit {
   template <class M, class C>
@@ -150,22 +143,6 @@ struct AtForces {
   template <class M, class C>
   static auto run(C& step) -> decltype(M::at_forces(step)) {
     return M::at_forces(step);
-  }
-};
-/// Velocities by the accelerations.
-struct AtKick {
-  static constexpr const char* heading = "kick";
-  template <class M, class C>
-  static auto run(C& step) -> decltype(M::at_kick(step)) {
-    return M::at_kick(step);
-  }
-};
-/// Places and densities.
-struct AtMotion {
-  static constexpr const char* heading = "drift";
-  template <class M, class C>
-  static auto run(C& step) -> decltype(M::at_motion(step)) {
-    return M::at_motion(step);
   }
 };
 /// Density rates.

@@ -7,11 +7,10 @@ namespace thalweg {
 
 /// Pair sweep: acceleration by pressure, artificial viscosity, water's own viscosity and gravity,
 ///   rho_a du_a/dt = - sum_b V_b (P_a + P_b + Pi_ab) grad W + sum_b V_b 2 mu_w F u_ab + rho_a g
-/// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a; forces m_a du_a/dt are antisymmetric pair by pair. The viscosity
-/// of sediment, and between water and sediment, is left to models/implicit/. With wall_friction, water
-/// beside a wall has the viscosity of smooth_wall_viscosity in place of mu_w; without it walls are frictionless for
-/// water.
-template <int Dim, bool wall_friction>
+/// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a and Pi_ab reduced by viscosity_switch.hpp; forces m_a du_a/dt are
+/// antisymmetric pair by pair. The viscosity of sediment, and between water and sediment, is left to models/implicit/. Walls are frictionless for water here; what
+/// it feels of them is added by models (stage::AddForces).
+template <int Dim>
 struct MomentumSweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
   using reads = Reads<field::place, field::flow, field::matter>;
@@ -34,19 +33,13 @@ struct MomentumSweep {
 
     const auto same = same_phase(a, b);
     const L rho0 = lane_select(is_sediment(a), L(scene.sediment_density), L(scene.water_density));
-    const L strength = lane_select(same, rho0 * L(scene.artificial_viscosity), L(0.0F));
+    const L acting = L(0.5F * scene.artificial_viscosity) * (a.dissipation + b.dissipation);
+    const L strength = lane_select(same, rho0 * acting, L(0.0F));
     const L along = -(weight * (a.pressure + b.pressure + artificial_viscous_pressure(dot(u, g.r), inverse, strength)));
 
     // Twice the viscosity: doubling is exact, so that its place in the product does not matter. All of it but `same` is
     // known before the loop over b.
-    const auto a_water = is_water(a);
-    L eta2 = lane_select(same, lane_select(a_water, L(2.0F) * L(scene.water_viscosity), L(0.0F)), L(0.0F));
-    if constexpr (wall_friction) {
-      const L at_wall =
-          smooth_wall_viscosity(L(scene.water_viscosity), L(scene.water_density), lane_sqrt(dot(u, u)),
-                                L(static_cast<float>(0.5 * scene.spacing)), L(scene.quarter_root_viscosity));
-      eta2 = lane_select(a_water & is_wall(b), L(2.0F) * at_wall, eta2);
-    }
+    const L eta2 = lane_select(same, lane_select(is_water(a), L(2.0F) * L(scene.water_viscosity), L(0.0F)), L(0.0F));
     const L drag = weight * eta2;
     for (int k = 0; k < Dim; ++k) sum.force[k] += along * g.r[k] + drag * u[k];
   }
@@ -65,16 +58,10 @@ struct MomentumSweep {
 
 template <int Dim, class Device>
 void compute_accelerations(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  const auto over_all = [&](const auto& body) {
-    if (!p.any_resting) return sweep(on, p, scene, p.all_fluid(), body);
-    sweep(on, p, scene, p.pure_water(), body);
-    sweep(on, p, scene, p.near_sediment(), body);
-  };
-  if (scene.wall_friction) {
-    over_all(MomentumSweep<Dim, true>{p.record.data(), p.rates.data(), scene});
-  } else {
-    over_all(MomentumSweep<Dim, false>{p.record.data(), p.rates.data(), scene});
-  }
+  const MomentumSweep<Dim> body{p.record.data(), p.rates.data(), scene};
+  if (!p.any_resting) return sweep(on, p, scene, p.all_fluid(), body);
+  sweep(on, p, scene, p.pure_water(), body);
+  sweep(on, p, scene, p.near_sediment(), body);
 }
 
 }  // namespace thalweg

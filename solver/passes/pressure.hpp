@@ -5,28 +5,34 @@
 
 namespace thalweg {
 
-/// Particle pass: p from the density excess by the phase's equation of state, volume from mass and density. Particles
-/// at rest get theirs from their neighbours (models/rest/resting_pressure.hpp).
+/// Particle pass: p from the density excess by the phase's equation of state, and from its last rate by the acoustic
+/// damper; volume from mass and density. Particles at rest get theirs from their neighbours (models/rest/resting_pressure.hpp).
 template <int Dim>
 struct EquationOfStatePass {
-  using reads = Reads<field::place, field::matter, field::mass>;
-  using writes = Writes<field::place, field::flow>;
+  using reads = Reads<field::place, field::matter, field::mass, field::rates, field::dissipation>;
+  using writes = Writes<field::place, field::flow, field::matter>;
 
   Record* records;
   const float* mass;
+  const Rates* rates;
+  const float* dissipation;  // nullptr without artificial viscosity
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
+    if (dissipation != nullptr) r.dissipation = dissipation[i];
     if (r.volume == 0 || is_resting(r)) return;
-    r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind));
-    r.volume = mass[i] / (scene.density_at_rest(r.kind) * (1 + r.excess));
+    const float rho0 = scene.density_at_rest(r.kind);
+    r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) +
+                 damper_pressure(rho0, scene.acoustic_damping, rates[i].excess_rate);
+    r.volume = mass[i] / (rho0 * (1 + r.excess));
   }
 };
 
 template <int Dim, class Device>
 void apply_equation_of_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  on.for_each(p.fluid_count, EquationOfStatePass<Dim>{p.record.data(), p.mass.data(), scene});
+  on.for_each(p.fluid_count,
+              EquationOfStatePass<Dim>{p.record.data(), p.mass.data(), p.rates.data(), p.dissipations(), scene});
 }
 
 /// Pair sum: pressure extrapolated from the moving fluid in reach, balanced for gravity (Adami, Hu & Adams 2012, J.

@@ -43,7 +43,7 @@ void announce_sediment(const Case& c) {
 void announce_choices(const Case& of) {
   announce("numerics.accuracy", of.numerics.accuracy, Numerics{}.accuracy);
   announce("numerics.precision", of.numerics.precision, Numerics{}.precision);
-  announce("numerics.integrator", of.numerics.integrator, Numerics{}.integrator);
+  announce("model.wall_friction", of.model.wall_friction, Model{}.wall_friction);
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
 }

@@ -94,11 +94,10 @@ void make_flow(const Case& from, const ParticleSet& particles, double sound_spee
   s.sound_speed = static_cast<float>(sound_speed);
   s.water_density = static_cast<float>(from.water.density);
   s.water_viscosity = static_cast<float>(from.water.viscosity);
-  s.quarter_root_viscosity = static_cast<float>(std::pow(from.water.viscosity / from.water.density, 0.25));
-  s.wall_friction = from.model.wall_friction == WallFriction::smooth;
   s.sediment_density = s.water_density;
   s.diffusion = static_cast<float>(2 * n.density_diffusion * h * sound_speed);
   s.artificial_viscosity = static_cast<float>(n.artificial_viscosity * sound_speed * h);
+  s.acoustic_damping = static_cast<float>(n.acoustic_damper * sound_speed * h);
   s.cfl = n.cfl;
   s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
 }

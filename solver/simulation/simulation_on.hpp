@@ -31,6 +31,7 @@ class SimulationOn final : public Simulation {
     work_.time = from.info.time;
     work_.population = Population::of(from);
     if (scene_.has_moving_walls) load_motions(on_, p_, motions, from);
+    if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(on_, p_, scene_, listed->second);
   }

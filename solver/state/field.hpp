@@ -31,7 +31,7 @@ namespace field {
 // Of the record.
 inline constexpr Field place{"place", quad_place};     // place, volume
 inline constexpr Field flow{"flow", quad_flow};        // velocity, pressure
-inline constexpr Field matter{"matter", quad_matter};  // density excess, viscosity, kind
+inline constexpr Field matter{"matter", quad_matter};  // density excess, viscosity, kind, dissipation
 
 // Arrays that every scene has. A model declares its own fields beside its arrays.
 inline constexpr Field position{"Position"};
@@ -39,6 +39,7 @@ inline constexpr Field mass{"Mass"};
 inline constexpr Field id{"Id"};
 inline constexpr Field type{"Type"};
 inline constexpr Field rates{"Rates"};
+inline constexpr Field dissipation{"Dissipation"};
 inline constexpr Field role{"Role"};
 inline constexpr Field listed_at{"ListedAt"};
 

@@ -42,7 +42,8 @@ struct ParticleCore {
   Buffer<std::int64_t> id;
   Buffer<std::uint8_t> type;
   Buffer<Rates> rates;
-  Buffer<Role> role;  // empty unless particles are born or die (domain/population.hpp)
+  Buffer<float> dissipation;  // share of the artificial viscosity that acts on water [-]; empty without that viscosity
+  Buffer<Role> role;          // empty unless particles are born or die (domain/population.hpp)
 
   // Neighbour lists and the places they were built for.
   Buffer<Place> listed_at;  // empty: no list yet
@@ -65,18 +66,22 @@ struct ParticleCore {
   Index clusters = 0;
 
   /// The record, which ends with one more than there are particles, is described by whoever resizes it.
-  template <class Visitor>
-  void describe(Visitor& v) {
+  template <class Scene, class Visitor>
+  void describe(const Scene& scene, Visitor& v) {
     v.array(field::position, position, sorted | halo, Position{});
     v.array(field::mass, mass, sorted | halo, 0.0F);
     v.array(field::id, id, sorted, std::int64_t{0});
     v.array(field::type, type, sorted, std::uint8_t{0});
-    v.array(field::rates, rates, sorted, Rates{});
+    v.array(field::rates, rates, sorted | checkpointed, Rates{});
+    if (scene.artificial_viscosity > 0) v.array(field::dissipation, dissipation, sorted | checkpointed, 1.0F);
     if (!role.empty()) v.array(field::role, role, sorted | checkpointed, Role::integrated);
   }
 
   /// nullptr where all particles are integrated.
   [[nodiscard]] const Role* roles() const { return role.size() == 0 ? nullptr : role.data(); }
+  /// nullptr where the scene has no artificial viscosity.
+  [[nodiscard]] float* dissipations() { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
+  [[nodiscard]] const float* dissipations() const { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] ClusterList list() const {
     return {list_begin.data(), list_entries.data(), fluid_clusters, clusters, fluid_count, count};
   }

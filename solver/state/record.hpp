@@ -32,7 +32,7 @@ struct alignas(64) Record {
   float excess;           // rho/rho0 - 1 [-]; of a wall: share of sediment in the fluid it continues [-]
   float viscosity;        // [Pa s]
   float kind;             // kind::water …
-  float unused;           // keeps the quad whole
+  float dissipation;      // share of the artificial viscosity that acts on it [-]
   float work[4];          // scratch of one pass after the other; its meanings are fields (field::…) of the models
 };
 static_assert(sizeof(Record) == 64);
@@ -76,6 +76,7 @@ struct Lane {
   L excess;
   L viscosity;
   L kind;
+  L dissipation;
   Vec<Dim, L> work;
 };
 
@@ -93,6 +94,7 @@ HOST_DEVICE inline void read_lane(LaneT& lane, const Read& read) {
     read.template number<2, 0>(lane.excess);
     read.template number<2, 1>(lane.viscosity);
     read.template number<2, 2>(lane.kind);
+    read.template number<2, 3>(lane.dissipation);
   }
   if constexpr ((quads & quad_work) != 0) read.template vector<3>(lane.work);
 }

@@ -22,16 +22,15 @@ struct FlowScene {
   WendlandC2<Dim, float> kernel{1.0F};
   float singularity = 0;  // eps = 0.01 h^2 [m^2]
 
-  Vec<Dim, float> gravity{};         // [m/s^2]
-  float sound_speed = 0;             // [m/s] the same in both phases
-  double fast_wave = 1;              // speed of the fastest pressure wave over the sound speed [-]
-  float water_density = 0;           // [kg/m^3] at rest
-  float sediment_density = 0;        // [kg/m^3] at rest; of a mixture's grains, else of the bed as a whole
-  float water_viscosity = 0;         // [Pa s]
-  float quarter_root_viscosity = 0;  // (mu_w/rho_w)^(1/4)
-  bool wall_friction = false;        // of water
-  float diffusion = 0;               // 2 delta h c [m^2/s]
-  float artificial_viscosity = 0;    // alpha c h [m^2/s]
+  Vec<Dim, float> gravity{};       // [m/s^2]
+  float sound_speed = 0;           // [m/s] the same in both phases
+  double fast_wave = 1;            // speed of the fastest pressure wave over the sound speed [-]
+  float water_density = 0;         // [kg/m^3] at rest
+  float sediment_density = 0;      // [kg/m^3] at rest; of a mixture's grains, else of the bed as a whole
+  float water_viscosity = 0;       // [Pa s]
+  float diffusion = 0;             // 2 delta h c [m^2/s]
+  float artificial_viscosity = 0;  // alpha c h [m^2/s]
+  float acoustic_damping = 0;      // a c h [m^2/s]
   double cfl = 0;
   bool has_sediment = false;
   bool needs_near_walls = false;  // some model sums over the fluid with walls in reach (Particles::near_walls)

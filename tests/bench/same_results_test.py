@@ -76,14 +76,14 @@ class WholeBuilds(unittest.TestCase):
     build = thalweg.parents[1]
 
     def compare(self, new):
-        command = [ROOT / "tools/same-results", self.build, new, "--scenes", "two_pass_double", "--threads", "1",
+        command = [ROOT / "tools/same-results", self.build, new, "--scenes", "double_sums", "--threads", "1",
                    "--instruction-sets", "baseline", "--out", scratch / "same-results"]
         return subprocess.run(command, capture_output=True, text=True, check=False)
 
     def test_a_build_equals_itself(self):
         done = self.compare(self.build)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertIn("| two_pass_double |", done.stdout)
+        self.assertIn("| double_sums |", done.stdout)
 
     def test_a_build_with_other_numbers_does_not(self):
         other = scratch / "other_build"

@@ -33,7 +33,7 @@ TEST(Models, BlameKeysThatExist) {
       }
     }
   });
-  EXPECT_GE(rules, 19);
+  EXPECT_GE(rules, 17);
 }
 
 TEST(Models, AreOffUnlessNamed) {

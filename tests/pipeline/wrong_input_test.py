@@ -86,7 +86,7 @@ class FailedRun(unittest.TestCase):
     def test_a_diverging_run_ends_with_1_and_says_why(self):
         out = scratch / "diverging"
         shutil.rmtree(out, ignore_errors=True)
-        settings = (f'numerics.spacing="{case.SPACING} m"', "numerics.cfl=20", 'output.end="1 s"')
+        settings = (f'numerics.spacing="{case.SPACING} m"', 'numerics.maximum_speed="0.05 m/s"', 'output.end="1 s"')
         result = case.call(case.command(thalweg, "run", case.CASE, out, settings, ["--no-foam"]))
         self.assertEqual(result.returncode, 1, result.stderr)
         errors = [line for line in result.stderr.splitlines() if line.startswith("error: ")]

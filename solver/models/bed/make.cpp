@@ -26,7 +26,6 @@ void BedModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const Case& of = from.of;
   refuse_tilted_gravity(of);
   const SedimentParameters& s = of.sediment();
-  scene.no_slip = NoSlip<Dim>(scene.smoothing_length, scene.spacing);
   if (!scene.seepage.mixture) scene.sediment_density = static_cast<float>(s.bed_density());
   SedimentScene& law = scene.sediment;
   law = SedimentScene{make_material<float>(s, {of.model.yield, of.model.yield_fit, of.model.rheology})};

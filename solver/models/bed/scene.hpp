@@ -1,6 +1,5 @@
 #pragma once
 
-#include "physics/no_slip.hpp"
 #include "physics/sediment/effective_pressure.hpp"
 #include "physics/sediment/material.hpp"
 
@@ -18,7 +17,6 @@ struct SedimentScene : SedimentMaterial<float> {
 template <int Dim>
 struct BedScene {
   SedimentScene sediment;
-  NoSlip<Dim> no_slip;
 };
 
 }  // namespace thalweg

@@ -1,43 +1,108 @@
 #pragma once
 
+#include <cmath>
+
+#include "physics/no_slip.hpp"
+#include "physics/sediment/compression_under_water.hpp"
 #include "solver/models/bed/arrays.hpp"
 #include "solver/passes/continuity.hpp"
 #include "solver/passes/velocity_gradient.hpp"
 
 namespace thalweg {
 
-/// Pair sweep over clusters with sediment in reach: density rate and rate of strain.
+/// Pair sweep over clusters with sediment in reach: density rate and rate of strain. Walls count in the strain as if the
+/// velocity went on through their surface (physics/no_slip.hpp), in the density rate with the velocity that they have.
+/// Sediment with water in reach has its density by physics/sediment/compression_under_water.hpp, all else by the plain
+/// sum.
 template <int Dim>
 struct ContinuityAndStrainSweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
   using reads = Reads<field::place, field::flow, field::matter>;
-  using writes = Writes<field::rates, field::sediment>;
-  static constexpr unsigned kernel = kernel_gradient;
+  using writes = Writes<field::rates, field::sediment, field::dissipation>;
+  static constexpr unsigned kernel = kernel_value | kernel_gradient;
   template <class L>
   struct Sum {
     L diffusion;
+    L by_water;        // compression by water [1/s]
+    L bed_share;       // sum over sediment and walls of V W [-]
+    L water_share;     // sum over water of V W [-]
+    L water_pressure;  // of V W times its pressure at the place of a [Pa]
     GradientSum<Dim, L> velocity;
+    WallDrag<Dim, L> walls;
   };
 
   ContinuitySweep<Dim> continuity;
   Sediment* sediment;
+  float* dissipation;  // nullptr without artificial viscosity
 
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     const L weight = b.volume * g.F;
     sum.diffusion += pair_diffusion(a, b, g, weight, same_phase(a, b), continuity.scene);
-    sum.velocity.add(b.velocity - a.velocity, g, weight);
+    const Vec<Dim, L> u = b.velocity - a.velocity;
+    add_velocity(b, u, g, weight, sum);
+    const auto b_water = is_water(b);
+    const Scene<Dim>& scene = continuity.scene;
+    L g_dot_r = g.r[0] * L(scene.gravity[0]);
+    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + g.r[k] * L(scene.gravity[k]);
+    const L value = b.volume * g.W;
+    const L share = lane_select(b_water, value, L(0.0F));
+    sum.bed_share += value - share;
+    sum.by_water += lane_select(b_water, -weight * dot(u, g.r), L(0.0F));
+    sum.water_share += share;
+    sum.water_pressure += share * (b.pressure + L(0.5F * (scene.water_density + scene.sediment_density)) * g_dot_r);
   }
 
-  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+  /// u = u_b - u_a, weight = V_b F.
+  template <class LaneT, class L>
+  HOST_DEVICE void add_velocity(const LaneT& b, const Vec<Dim, L>& u, const PairGeometry<Dim, L>& g, const L& weight,
+                                Sum<L>& sum) const {
+    sum.velocity.add(u, g, weight);
+    sum.walls.add(lane_select(is_wall(b), -weight, L(0.0F)), g, u);
+  }
+
+  HOST_DEVICE void end(Index i, Sum<float> sum) const {
     float compression = 0;
     for (int k = 0; k < Dim; ++k) compression -= sum.velocity.gradient[k][k];
+    const Record& r = continuity.records[i];
+    const Scene<Dim>& scene = continuity.scene;
+    float held = 0;
+    const bool under_water = is_sediment(r) && sum.water_share > 0;
+    if (under_water) {
+      const float own = compression - sum.by_water;
+      held = held_share(sum.bed_share - r.volume * scene.kernel.value(1.0F));
+      compression = own + held * compression_by_water(own, sum.by_water) + (1 - held) * sum.by_water;
+    }
     continuity.end(i, compression, sum.diffusion);
+    if (under_water && !is_resting(r)) continuity.rates[i].excess_rate += held * exchange(r, sum);
+    if (dissipation != nullptr) dissipation[i] = acting_share<Dim>(sum.velocity.gradient, continuity.scene);
+    add_behind_walls(sum);
     float gradient[Dim][Dim];
     corrected_gradient(sum.velocity, gradient);
     const StrainRate strain = strain_rate<Dim>(gradient);
     sediment[i].strain_rate = strain.magnitude;
     sediment[i].lode_sine = strain.lode_sine;
+  }
+
+  /// The rate at which sediment takes over the water's pressure [1/s].
+  HOST_DEVICE float exchange(const Record& r, const Sum<float>& sum) const {
+    const Scene<Dim>& scene = continuity.scene;
+    float g2 = 0;
+    for (int k = 0; k < Dim; ++k) g2 += scene.gravity[k] * scene.gravity[k];
+    const float band =
+        fabsf(scene.sediment_density - scene.water_density) * sqrtf(g2) * static_cast<float>(scene.spacing);
+    const float impedance = scene.sediment_density * scene.sound_speed * static_cast<float>(scene.smoothing_length);
+    return exchange_rate(sum.water_pressure / sum.water_share - r.pressure, band, sum.water_share, impedance);
+  }
+
+  /// The wall's part of the gradient counts f' times: (f' - 1) U (x) sum k r, U the mean velocity of a less its walls'.
+  HOST_DEVICE void add_behind_walls(Sum<float>& sum) const {
+    const WallDrag<Dim, float>& walls = sum.walls;
+    if (!(walls.coefficients > 0)) return;
+    const float more = continuity.scene.no_slip.excess_of_strain(walls) / walls.coefficients;
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < Dim; ++j) sum.velocity.gradient[i][j] -= more * walls.exchange[i] * walls.lever[j];
+    }
   }
 };
 
@@ -48,7 +113,7 @@ void compute_density_rates(Device& on, Particles<Device>& p, const Scene<Dim>& s
   compute_water_density_rates(on, p, scene);
   if (!scene.has_sediment) return;
   const ContinuitySweep<Dim> water{p.record.data(), p.rates.data(), scene};
-  const ContinuityAndStrainSweep<Dim> with_strain{water, p.sediment.data()};
+  const ContinuityAndStrainSweep<Dim> with_strain{water, p.sediment.data(), p.dissipations()};
   sweep(on, p, scene, p.near_sediment(), with_strain);
   if (p.any_resting) sweep(on, p, scene, p.rest_front(), with_strain);
 }

@@ -48,6 +48,7 @@ std::vector<MotionSegment> segments_of(const Motion& m) {
       if (m.angular_speed == 0) return linear(m.times, m.angles);
       return {{m.start, 0, m.angular_speed}};
     case MotionKind::gate_lift:
+    case MotionKind::sliding_surface:
       return gate_lift(m);
     case MotionKind::oscillation:
       return {{m.start, 0, 0, 0, m.amplitude, 2 * std::numbers::pi / m.period}};
@@ -62,6 +63,7 @@ std::vector<WallMotion> make_motions(const Case& from) {
   for (const Motion& m : from.motions) {
     WallMotion& motion = motions.emplace_back();
     motion.axis.turns = m.kind == MotionKind::rotation;
+    motion.stays = m.kind == MotionKind::sliding_surface;
     // In the plane x-z counter-clockwise is about -y.
     const Vec3 about = from.info.dimension == 2 ? Vec3(0, -1, 0) : m.axis;
     copy(motion.axis.turns ? about.normalized() : m.direction.normalized(), motion.axis.direction);

@@ -61,6 +61,9 @@ struct MoveWallPass {
   }
 };
 
+/// Walls whose surface alone moves: they keep their places, and push nothing ahead when they speed up.
+inline RigidState surface_of(const RigidState& state) { return {0, state.rate, 0}; }
+
 /// state_of(motion) is the state [RigidState] in which its walls are put.
 template <int Dim, class Device, class StateOf>
 void put_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<WallMotion>& motions,
@@ -68,10 +71,11 @@ void put_walls(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const 
   float volume = 1;
   for (int k = 0; k < Dim; ++k) volume *= static_cast<float>(scene.spacing);
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    on.for_each(p.count - p.fluid_count,
-                MoveWallPass<Dim>{p.record.data(), p.position.data(), p.rates.data(), p.moved_from.data(),
-                                  p.motion.data(), static_cast<Index>(m + 1), motions[m].axis, state_of(motions[m]),
-                                  scene, volume, p.fluid_count});
+    const RigidState state = motions[m].stays ? surface_of(state_of(motions[m])) : state_of(motions[m]);
+    on.for_each(
+        p.count - p.fluid_count,
+        MoveWallPass<Dim>{p.record.data(), p.position.data(), p.rates.data(), p.moved_from.data(), p.motion.data(),
+                          static_cast<Index>(m + 1), motions[m].axis, state, scene, volume, p.fluid_count});
   }
 }
 

@@ -30,6 +30,7 @@ struct MotionSegment {
 struct WallMotion {
   RigidAxis axis;
   std::vector<MotionSegment> segments;  // by time; at rest before the first
+  bool stays = false;                   // the walls keep their places and only their surface moves, as a belt's
 
   /// At a kink of the motion the state is that after it.
   [[nodiscard]] RigidState at(double t) const {

@@ -208,10 +208,10 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Step
           [=] HOST_DEVICE(Index i) { stopping[i] = may_stop(i) ? 1 : 0; }));
   Rates* rates = p.rates.data();
   // A particle that stops has the pressure and volume of its last density: the equation of state leaves it alone.
-  const EquationOfStatePass<Dim> take_state{records, p.mass.data(), scene};
+  const EquationOfStatePass<Dim> take_state{records, p.mass.data(), rates, p.dissipations(), scene};
   on.reduce_then(
       p.fluid_count, Index{0},
-      declare<Reads<field::place, field::matter, field::mass, field::stopping>,
+      declare<Reads<field::place, field::matter, field::mass, field::rates, field::dissipation, field::stopping>,
               Writes<field::place, field::flow, field::matter, field::viscous_vector, field::rates, field::sediment>>(
           [=] HOST_DEVICE(Index i) {
             if (stopping[i] == 0) return Index{0};

@@ -14,19 +14,19 @@ inline constexpr Field tile_force{"TileForce", quad_work};
 
 /// Pair sweep: the momentum sweep within each set. Leaves in the work quad what the buoyancy needs: of water the force
 /// on its tile over the tile's volume, of grains 1/(sum of T W over the water around).
-template <int Dim, bool wall_friction>
+template <int Dim>
 struct MixtureMomentumSweep {
-  using neighbours = typename MomentumSweep<Dim, wall_friction>::neighbours;
+  using neighbours = typename MomentumSweep<Dim>::neighbours;
   using reads = Reads<field::place, field::flow, field::matter, field::pores>;
   using writes = Writes<field::rates, field::tile_force>;
   static constexpr unsigned kernel = kernel_value | kernel_gradient;
   template <class L>
   struct Sum {
-    typename MomentumSweep<Dim, wall_friction>::template Sum<L> own;
+    typename MomentumSweep<Dim>::template Sum<L> own;
     L water;
   };
 
-  MomentumSweep<Dim, wall_friction> momentum;
+  MomentumSweep<Dim> momentum;
   Record* records;
   const PoreState* pores;
 
@@ -95,23 +95,14 @@ struct BuoyancySweep {
   }
 };
 
-template <int Dim, bool wall_friction, class Device>
+template <int Dim, class Device>
 void compute_mixture_accelerations(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   Record* records = p.record.data();
   const PoreState* pores = p.pores.data();
-  const MomentumSweep<Dim, wall_friction> momentum{records, p.rates.data(), scene};
+  const MomentumSweep<Dim> momentum{records, p.rates.data(), scene};
   sweep(on, p, scene, p.pure_water(), momentum);
-  sweep(on, p, scene, p.near_sediment(), MixtureMomentumSweep<Dim, wall_friction>{momentum, records, pores});
+  sweep(on, p, scene, p.near_sediment(), MixtureMomentumSweep<Dim>{momentum, records, pores});
   sweep(on, p, scene, p.near_sediment(), BuoyancySweep<Dim>{records, p.rates.data(), pores, scene});
-}
-
-template <int Dim, class Device>
-void compute_mixture_accelerations(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  if (scene.wall_friction) {
-    compute_mixture_accelerations<Dim, true>(on, p, scene);
-  } else {
-    compute_mixture_accelerations<Dim, false>(on, p, scene);
-  }
 }
 
 }  // namespace thalweg

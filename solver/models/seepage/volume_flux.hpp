@@ -53,7 +53,7 @@ template <int Dim>
 struct MixtureContinuitySweep {
   using neighbours = Neighbours<field::place, field::matter, field::volume_flux>;
   using reads = Reads<field::matter, field::pores, field::rates>;
-  using writes = Writes<field::rates, field::sediment>;
+  using writes = Writes<field::rates, field::sediment, field::dissipation>;
   static constexpr unsigned kernel = kernel_gradient;
   template <class L>
   using Sum = typename ContinuityAndStrainSweep<Dim>::template Sum<L>;
@@ -64,7 +64,7 @@ struct MixtureContinuitySweep {
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     sum.diffusion += pair_diffusion(a, b, g, b.volume * g.F, same_phase(a, b), own.continuity.scene);
-    sum.velocity.add(b.work - a.work, g, mixture::volume_seen(a, b) * g.F);
+    own.add_velocity(b, b.work - a.work, g, mixture::volume_seen(a, b) * g.F, sum);
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
@@ -84,7 +84,8 @@ void compute_mixture_density_rates(Device& on, Particles<Device>& p, const Scene
   sweep(on, p, scene, p.near_sediment(), VolumeFluxSweep<Dim>{records, pores, scene});
   compute_water_density_rates(on, p, scene);
   const ContinuitySweep<Dim> continuity{records, p.rates.data(), scene};
-  sweep(on, p, scene, p.near_sediment(), MixtureContinuitySweep<Dim>{{continuity, p.sediment.data()}, pores});
+  sweep(on, p, scene, p.near_sediment(),
+        MixtureContinuitySweep<Dim>{{continuity, p.sediment.data(), p.dissipations()}, pores});
 }
 
 }  // namespace thalweg

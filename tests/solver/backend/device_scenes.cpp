@@ -101,6 +101,11 @@ DeviceScene with(DeviceScene s, const std::string& name, void (*change)(Scene<2>
   return s;
 }
 
+void feel_walls(Scene<2>& s) {
+  s.needs_near_walls = true;
+  s.wall_stress = {true, 1e-6F, 0.1F, 1};
+}
+
 }  // namespace
 
 std::vector<DeviceScene> device_scenes() {
@@ -114,7 +119,9 @@ std::vector<DeviceScene> device_scenes() {
                [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::laplace; }),
           with(slump, "pressure of state", [](Scene<2>& s) { s.sediment.effective_pressure = EffectivePressure::eos; }),
           with(slump, "capped viscosity", [](Scene<2>& s) { s.viscosity = ViscosityTreatment::capped; }),
-          with(slump, "wall friction", [](Scene<2>& s) { s.wall_friction = true; }),
+          with(slump, "stress on walls", feel_walls),
+          with(pushed(), "stress on moving walls", feel_walls),
+          with(slump, "water that sticks to walls", [](Scene<2>& s) { s.water_sticks = s.needs_near_walls = true; }),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
             s.pores.consolidation = 1e-3F;

@@ -10,7 +10,7 @@ namespace thalweg {
 namespace {
 
 constexpr int dim = 3;
-using Momentum = MomentumSweep<dim, false>;
+using Momentum = MomentumSweep<dim>;
 using Water = ContinuitySweep<dim>;
 using Strain = ContinuityAndStrainSweep<dim>;
 

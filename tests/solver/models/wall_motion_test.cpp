@@ -77,6 +77,22 @@ TEST_F(MotionOf, ATableIsLinearBetweenItsRowsAndRestsOutside) {
   expect(2, 0.75, 0, -20 * pi / 180 / 0.5, 0);
 }
 
+TEST(SlidingSurface, RunsAsAGateIsLiftedAndStaysInPlace) {
+  Case c;
+  c.motions.resize(1);
+  Motion& m = c.motions[0];
+  m.kind = MotionKind::sliding_surface;
+  m.direction = Vec3(2, 0, 0);
+  m.start = 0.5;
+  m.speed = 3;
+  m.acceleration = 6;
+  const WallMotion motion = make_motions(c).at(0);
+  EXPECT_TRUE(motion.stays);
+  EXPECT_EQ(motion.at(0.4).rate, 0);
+  EXPECT_NEAR(motion.at(0.75).rate, 1.5, 1e-12);
+  EXPECT_NEAR(motion.at(9).rate, 3, 1e-12) << "for ever";
+}
+
 TEST_F(MotionOf, AGateWaitsSpeedsUpAndStops) {
   // 9 m/s^2 from 0.1 s on: 1 m/s after 1/9 s and 1/18 m; the other 0.4 - 1/18 m at that speed.
   expect(1, 0.05, 0, 0, 0);

@@ -1,8 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
-#include <vector>
 
 #include "tests/solver/scenes.hpp"
 
@@ -30,8 +28,8 @@ struct Vortex {
   }
 };
 
-/// n particles along a side; cfl 0: the usual one.
-Vortex make_vortex(int n, bool two_pass = false, double cfl = 0) {
+/// n particles along a side.
+Vortex make_vortex(int n) {
   test::LatticeSetup<2> setup;
   setup.length = L;
   setup.spacing = L / n;
@@ -41,8 +39,6 @@ Vortex make_vortex(int n, bool two_pass = false, double cfl = 0) {
   Scene<2> scene = test::make_scene_of(setup);
   scene.water_viscosity = static_cast<float>(1000 * nu);
   scene.artificial_viscosity = 0;
-  scene.two_pass = two_pass;
-  if (cfl > 0) scene.cfl = cfl;
   ParticleSet p = test::fill_lattice(scene, test::all_water);
   const double k = 2 * M_PI / L;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -58,10 +54,10 @@ Vortex make_vortex(int n, bool two_pass = false, double cfl = 0) {
 }
 
 /// Relative error of the lost energy.
-double energy_error(int n, bool two_pass = false) {
+double energy_error(int n) {
   const double k = 2 * M_PI / L;
   const double exact = 1 - std::exp(-4 * nu * k * k * 0.1 * L / U);
-  return std::abs(make_vortex(n, two_pass).lost_energy() / exact - 1);
+  return std::abs(make_vortex(n).lost_energy() / exact - 1);
 }
 
 TEST(TaylorGreen, ConvergesToTheExactDecay) {
@@ -76,37 +72,6 @@ TEST(TaylorGreen, ConvergesToTheExactDecay) {
   EXPECT_GT(order, 1.8);
   EXPECT_GT(std::log2(middle / fine), 1.6);
   EXPECT_LT(fine, 0.004);
-}
-
-TEST(TaylorGreen, DecaysWithTheTwoPassIntegratorToo) { EXPECT_LT(energy_error(32, true), 0.01); }
-
-/// Root mean square distance [m] between the particles of two runs.
-double distance(const Vortex& a, const Vortex& b) {
-  std::map<std::int64_t, const Position*> place;
-  for (Index i = 0; i < b.l.p.count; ++i) place[b.l.p.id[i]] = &b.l.p.position[i];
-  double squares = 0;
-  for (Index i = 0; i < a.l.p.count; ++i) {
-    for (int c = 0; c < 3; ++c) {
-      const double d = a.l.p.position[i].x[c] - place.at(a.l.p.id[i])->x[c];
-      squares += std::pow(d - std::round(d / L) * L, 2);
-    }
-  }
-  return std::sqrt(squares / a.l.p.count);
-}
-
-TEST(TwoPass, IsOfSecondOrderInTime) {
-  // Against itself with steps an eighth as long, errors of which are a hundredth of those measured.
-  Vortex exact = make_vortex(16, true, 0.02);
-  exact.lost_energy();
-  std::vector<double> error;
-  for (const double cfl : {0.32, 0.16}) {
-    Vortex v = make_vortex(16, true, cfl);
-    v.lost_energy();
-    error.push_back(distance(v, exact));
-  }
-  std::cout << "errors of the places " << error[0] << " " << error[1] << " m\n";
-  EXPECT_LT(error[0], 1e-4);
-  EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.3);
 }
 
 }  // namespace

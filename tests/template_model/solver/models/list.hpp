@@ -8,7 +8,6 @@
 #include "solver/models/seepage/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
-#include "solver/models/two_pass/model.hpp"
 #include "tests/template_model/tracer/model.hpp"
 
 // Stands for solver/models/list.hpp in the test of the template model: the same list and one line more. The build puts
@@ -16,7 +15,7 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
-                            StatesModel, RestModel, TracerModel>;
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, BedModel, ViscosityModel, PoreModel, StatesModel, RestModel, TracerModel>;
 
 }  // namespace thalweg
