@@ -67,11 +67,15 @@ def mean_between(series, begin, end):
     return sum(found) / len(found) if found else None
 
 
-def order(spacings, errors):
-    """Order of convergence: slope of log(error) over log(spacing), least squares."""
-    xs, ys = [math.log(s) for s in spacings], [math.log(e) for e in errors]
+def slope(xs, ys):
+    """Slope of the straight line through points, least squares."""
     mean_x, mean_y = sum(xs) / len(xs), sum(ys) / len(ys)
     return sum((x - mean_x) * (y - mean_y) for x, y in zip(xs, ys)) / sum((x - mean_x) ** 2 for x in xs)
+
+
+def order(spacings, errors):
+    """Order of convergence: slope of log(error) over log(spacing), least squares."""
+    return slope([math.log(s) for s in spacings], [math.log(e) for e in errors])
 
 
 def pareto_front(points):

@@ -5,27 +5,16 @@ from which distances count, None where the problem has none or the run is this o
 """
 
 import math
-import tomllib
 
 import norms
+import water
+import water_norms
+from results import Gauges, quantity, resolved, snapshots
 from study.origin import ROOT
 from study.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
 from study.tables import read_table
 
 GRAVITY = 9.81  # [m/s^2] of every case but the slot
-
-
-def resolved(folder):
-    return tomllib.loads((folder / "case.resolved.toml").read_text(encoding="utf-8"))
-
-
-def quantity(text):
-    """A number with its unit, as the resolved case writes it: SI."""
-    return float(str(text).split()[0])
-
-
-def snapshots(folder):
-    return sorted((folder / "snapshots").glob("*.vtp"))
 
 
 class Slot:
@@ -172,28 +161,19 @@ class DamBreak:
         return found
 
 
-class Gauges:
-    """The readings of a run's gauges, as columns over time."""
-
-    def __init__(self, run):
-        self.rows = read_table(run.folder / "gauges.csv")
-
-    def series(self, column, per_time=1.0, per_value=1.0):
-        return [(row["time"] / per_time, row[column] / per_value if isinstance(row[column], float) else 0.0)
-                for row in self.rows]
-
-    def at(self, column, time):
-        """The value at the row nearest to the time; 0 where there was none."""
-        return min(self.series(column), key=lambda point: abs(point[0] - time))[1]
-
-
 class Impact:
-    """Pressures of a dam break on the far wall (reference/lobovsky_impact.csv), over rho g H."""
+    """Pressures of a dam break on the far wall (reference/lobovsky_impact.csv), over rho g H.
+
+    noise: root mean square of the three sensors, each less its running mean over 10 ms, on the plateau behind the peak, t* = 3.5 to 4;
+    noise after the peak: that of the first sensor alone, t* = 2.5 to 4; peak: highest reading of the first sensor over the highest
+    measured; release noise: as noise, of a sensor on the floor under the column in the first 0.2 s, before the wave of the
+    release is there (a still tank has none of the release's sound)."""
 
     start = None
     depth = 0.3  # [m]
     table = ROOT / "bench/speed_vs_error/reference/lobovsky_impact.csv"
     arrival = 2.427  # [-] of the first sensor, t sqrt(g/H)
+    peak = 2.843     # [-] highest value of the first sensor's curve, at t* = 2.45
 
     def pressures(self, run):
         gauges = Gauges(run)
@@ -204,10 +184,20 @@ class Impact:
     def errors(self, run, finest=None):
         measured = [row[sensor] for row in read_table(self.table) for sensor in ("p1", "p3", "p4")]
         time, pressure = math.sqrt(self.depth / GRAVITY), 1000 * GRAVITY * self.depth
-        first = Gauges(run).series("p1.pressure", time, pressure)
+        gauges = Gauges(run)
+        first = gauges.series("p1.pressure", time, pressure)
+
+        def noise(sensor, begin, end):
+            return water_norms.noise(gauges.series(f"{sensor}.pressure", time, pressure), 0.01 / time, begin, end)
+
         arrival = next((t for t, p in first if p > 0.2), math.inf)
         return {"pressure": norms.rms(p - m for p, m in zip(self.pressures(run), measured)),
-                "arrival": abs(arrival - self.arrival)}
+                "arrival": abs(arrival - self.arrival),
+                "noise": norms.rms(noise(sensor, 3.5, 4) for sensor in ("p1", "p3", "p4")),
+                "noise after the peak": noise("p1", 2.5, 4),
+                "peak": max(p for _, p in first) / self.peak,
+                "release noise": noise("floor", 0, 0.2 / time),
+                "energy rise": water.energy_rise(run)}
 
 
 class Box:
@@ -241,5 +231,8 @@ class Louvain:
                 for name, whole in (("bed", "bed"), ("surface", "free_surface"))}
 
 
-PROBLEMS = {"poiseuille": Slot(), "taylor_green": Vortex(), "taylor_green_100": Vortex(), "taylor_green_slab": Vortex(),
-            "still_water": Still(), "dam_break": DamBreak(), "impact": Impact(), "spheric02": Box(), "louvain": Louvain()}
+PROBLEMS = {"poiseuille": Slot(), "taylor_green": Vortex(), "taylor_green_100": Vortex(), "taylor_green_1000": Vortex(),
+            "taylor_green_slab": Vortex(), "still_water": Still(), "still_water_10s": Still(), "still_tank": water.StillTank(),
+            "standing_wave": water.StandingWave(), "dry_bed": water.DryBed(), "dry_sand": water.DryBed(),
+            "dry_wall": water.DryBed(), "drop": water.Falling(), "splash": water.Falling(), "dam_break": DamBreak(),
+            "impact": Impact(), "spheric02": Box(), "louvain": Louvain()}

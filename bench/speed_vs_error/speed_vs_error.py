@@ -45,6 +45,11 @@ def written(value):
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
+def names_of(table):
+    """The problems of the matrix: those that do not stand alone."""
+    return [problem["name"] for problem in table["problem"] if not problem.get("alone", False)]
+
+
 class Point:
     """One run of one problem: a spacing, and the keys that are changed."""
 
@@ -100,7 +105,7 @@ class Matrix:
 
     def __init__(self, thalweg, out, table, only=None, quick=False):
         self.thalweg, self.out, self.table = pathlib.Path(thalweg).resolve(), pathlib.Path(out).resolve(), table
-        names = only or (table["quick"] if quick else [problem["name"] for problem in table["problem"]])
+        names = only or (table["quick"] if quick else names_of(table))
         self.problems = [problem for problem in table["problem"] if problem["name"] in names]
         if quick:
             self.problems = [self.small(problem) for problem in self.problems]
@@ -195,7 +200,7 @@ def main():
     given = arguments.parse_args()
 
     table = tomllib.loads(pathlib.Path(given.table).read_text(encoding="utf-8"))
-    known = [problem["name"] for problem in table["problem"]]
+    known = names_of(table)
     if wrong := set(given.only or []) - set(known):
         arguments.error(f"--only: there is no problem {', '.join(sorted(wrong))}; there are {', '.join(known)}")
     matrix = Matrix(given.thalweg, given.out, table, given.only, given.quick)

@@ -17,8 +17,9 @@ double top_or_floor(const ConnectedBody& body, std::size_t column, double floor,
 
 }  // namespace
 
-Bodies::Bodies(const VolumeFractions& sums, const ClassifiedParticles& set)
-    : least_thickness(least_layer * set.particles.info.spacing), fluid(sums, sums.fluid) {
+Bodies::Bodies(const VolumeFractions& sums, const ClassifiedParticles& set, double gap)
+    : least_thickness(least_layer * set.particles.info.spacing),
+      fluid(sums, sums.fluid, gap, least_sheet * set.particles.info.spacing) {
   if (set.has_sediment) sediment.emplace(sums, sums.sediment);
   if (set.rest_is_known) resting.emplace(sums, sums.resting);
 }

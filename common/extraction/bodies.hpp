@@ -17,11 +17,15 @@ struct ColumnLevels {
   double floor = 0;           // the wall under the fluid; also where the column is empty
 };
 
+/// A sheet of fluid over a gap is at least this many spacings wide; less is spray.
+inline constexpr double least_sheet = 6;
+
 /// The bodies connected to the floor: the fluid, the sediment in it, and the sediment at rest.
 struct Bodies {
   /// `sums`, the sums over `set`, must outlive the bodies. The bodies of the sediment are left out if the set has none,
-  /// and the resting one if the set does not tell which sediment rests.
-  Bodies(const VolumeFractions& sums, const ClassifiedParticles& set);
+  /// and the resting one if the set does not tell which sediment rests. Fluid over `gap` [m] of air or less counts as
+  /// standing on what is below (ConnectedBody), sediment does not.
+  Bodies(const VolumeFractions& sums, const ClassifiedParticles& set, double gap = 0);
 
   [[nodiscard]] ColumnLevels levels(std::size_t column) const;
 

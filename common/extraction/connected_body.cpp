@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 
 namespace thalweg {
 namespace {
@@ -16,7 +17,7 @@ double crossing(double z_full, double full, double z_less, double less) {
 
 }  // namespace
 
-ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<float>& phase)
+ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<float>& phase, double gap, double reach)
     : sums_(sums), phase_(phase), belongs_(sums.grid.size(), 0) {
   const SamplingGrid& grid = sums.grid;
   bool any_wall = false;
@@ -29,6 +30,7 @@ ConnectedBody::ConnectedBody(const VolumeFractions& sums, const std::vector<floa
     }
   }
   if (!any_wall) keep_largest();
+  if (gap > 0) join_what_lies_over(gap, reach);
 }
 
 bool ConnectedBody::stands_on_wall(std::size_t column, std::size_t row) const {
@@ -69,6 +71,44 @@ void ConnectedBody::keep_largest() {
   }
   std::fill(belongs_.begin(), belongs_.end(), 0);
   for (const std::size_t node : largest) belongs_[node] = 1;
+}
+
+void ConnectedBody::join_what_lies_over(double gap, double reach) {
+  const std::vector<char> standing = belongs_;  // what is joined carries nothing: a stack of sheets is spray
+  std::vector<std::size_t> members;
+  std::vector<std::size_t> joined;
+  for (std::size_t node = 0; node < belongs_.size(); ++node) {
+    if (!is_apart(node)) continue;
+    spread_from(node, members);
+    if (lies_over(members, standing, gap, reach)) joined.insert(joined.end(), members.begin(), members.end());
+  }
+  belongs_ = standing;
+  for (const std::size_t node : joined) belongs_[node] = 1;
+}
+
+// True for a body as wide as `reach` with no more than `gap` between it and the standing one, under half of its columns.
+bool ConnectedBody::lies_over(const std::vector<std::size_t>& members, const std::vector<char>& standing, double gap,
+                              double reach) const {
+  const SamplingGrid& grid = sums_.grid;
+  const auto rows = static_cast<std::size_t>(gap / grid.step);
+  std::map<std::size_t, std::size_t> lowest;  // row of each column
+  for (const std::size_t node : members) {
+    const auto [at, is_new] = lowest.try_emplace(node / grid.nz, node % grid.nz);
+    if (!is_new) at->second = std::min(at->second, node % grid.nz);
+  }
+  std::size_t carried = 0;
+  for (const auto& [column, row] : lowest) {
+    const std::size_t from = row - std::min(row, rows + 1);
+    for (std::size_t k = from; k < row; ++k) {
+      const std::size_t node = grid.node(column, k);
+      if (standing[node] == 0 && !sums_.in_wall(node)) continue;
+      ++carried;
+      break;
+    }
+  }
+  const std::size_t first = lowest.begin()->first / grid.ny;
+  const std::size_t last = lowest.rbegin()->first / grid.ny;
+  return static_cast<double>(last - first) * grid.step >= reach && 2 * carried >= lowest.size();
 }
 
 std::size_t ConnectedBody::highest_row(std::size_t column) const {

@@ -7,10 +7,13 @@
 namespace thalweg {
 
 /// The nodes where a phase fills more than half and that are connected to the floor along the axes without crossing
-/// a wall. Without any wall on the grid: the nodes of the largest connected body.
+/// a wall. Without any wall on the grid: the nodes of the largest connected body. A body apart is part of it if it lies
+/// over it as a wave lies on its floor: at least `reach` wide along x, and over at least half of its columns no more
+/// than `gap` of air below. A drop is narrower.
 class ConnectedBody {
  public:
-  ConnectedBody(const VolumeFractions& sums, const std::vector<float>& phase);
+  /// gap [m]: largest height of air that is bridged, 0: none; reach [m].
+  ConnectedBody(const VolumeFractions& sums, const std::vector<float>& phase, double gap = 0, double reach = 0);
 
   /// Highest crossing of 1/2 of the body in a column [m]; NaN where it has no node there.
   [[nodiscard]] double top(std::size_t column) const;
@@ -31,6 +34,9 @@ class ConnectedBody {
   [[nodiscard]] std::size_t highest_row(std::size_t column) const;
   std::size_t spread_from(std::size_t node, std::vector<std::size_t>& members);
   void keep_largest();
+  void join_what_lies_over(double gap, double reach);
+  [[nodiscard]] bool lies_over(const std::vector<std::size_t>& members, const std::vector<char>& standing, double gap,
+                               double reach) const;
 
   const VolumeFractions& sums_;
   const std::vector<float>& phase_;

@@ -63,6 +63,10 @@ double at_column(const std::vector<double>& xs, const std::vector<double>& value
 /// one, drops between them do not count.
 double level_window(double spacing) { return 6 * spacing; }
 
+/// Height of air [m] over which a gauge sees a sheet of water: a wave that runs over a dry bed may ride up to two
+/// spacings above it.
+double level_gap(double spacing) { return 3 * spacing; }
+
 /// The direction in which a gauge's plane has no extent.
 int normal_of(const Case& of, const Gauge& plane) {
   int normal = 0;
@@ -103,6 +107,7 @@ std::vector<double> water_level(const Case& of, const Gauge& gauge, const Partic
   settings.z_from = of.domain.from.z();
   settings.z_to = of.domain.to.z();
   settings.plane_y = gauge.at.y();
+  settings.gap = level_gap(particles.info.spacing);
   settings.narrow_to_walls = false;
   const Eigen::AlignedBox3d region = region_of(of, gauge, particles.info);
   const ParticleSet around = subset(particles, [&](const Vec3& at) { return region.contains(at); });

@@ -30,7 +30,8 @@ std::vector<Eigen::AlignedBox3d> gauge_regions(const Case& of, const ParticleFil
 
 /// Measures a particle set, which has to say its facts (ParticleSet::info), on the host.
 ///
-/// water level: extract_profile() of the particles around the column, linear between its columns.
+/// water level: extract_profile() of the particles around the column, linear between its columns. A sheet of water
+/// counts that rides up to three spacings above the bed; a drop does not.
 /// pressure, velocity: moving least squares of first order over the particles in the kernel's reach, that is the value,
 /// at the gauge, of the plane that fits them best; exact for hydrostatic pressure, also at a wall. It is the weighted
 /// mean if the particles lie too unevenly for a plane. With model.seepage = "mixture" of the water alone.

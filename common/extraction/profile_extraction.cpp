@@ -49,7 +49,7 @@ ExtractedProfile extract_profile(const ClassifiedParticles& set, const Extractio
   if (!found) return result;
   const SamplingGrid& grid = *found;
   const VolumeFractions sums = sum_volume_fractions(set, grid);
-  const Bodies bodies(sums, set);
+  const Bodies bodies(sums, set, settings.gap);
 
   Profile& profile = result.profile;
   for (std::size_t i = grid.first_x % 2 == 0 ? 0 : 1; i < grid.nx; i += 2) {  // every second node: multiples of dp

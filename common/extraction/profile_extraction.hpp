@@ -17,6 +17,7 @@ struct ExtractionSettings {
   double z_from = -std::numeric_limits<double>::infinity();  // [m] nothing outside is looked at
   double z_to = std::numeric_limits<double>::infinity();     // [m]
   double plane_y = 0;                                        // [m] 3-D: the plane of the profile
+  double gap = 0;                                            // [m] of air under a sheet of water that is bridged
   bool narrow_to_walls = true;  // false: particles around a place, whose walls do not show where the flow ends
   double rest_speed = 0.01;     // [m/s] slower sediment rests; where there is State, deposits only
 };
@@ -33,7 +34,8 @@ struct ExtractedProfile {
 /// The volume fraction of a phase is a kernel sum over its particles (VolumeFractions) on a grid of dp/2; a surface is
 /// where it crosses 1/2. Of the nodes above 1/2 only those count that are connected to the floor (neighbours along x
 /// or z): a drop in the air or a floating grain moves nothing. In a column the surface is the highest crossing of that
-/// body, so an overhanging wave shows its crest and the air under it is passed over.
+/// body, so an overhanging wave shows its crest and the air under it is passed over. With settings.gap a sheet of fluid
+/// that rides over no more than that much air counts too.
 ///
 /// free_surface: water and sediment together, so it is the bed where the bed is dry. bed: sediment alone. moving_bed:
 /// sediment at rest, which is State deposit where the set has states, and |u| < rest_speed otherwise. Where water

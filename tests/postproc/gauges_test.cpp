@@ -113,6 +113,44 @@ TEST(Gauges, ReadNoParticlesBeyondTheirRegions) {
   }
 }
 
+// Water 0.1 m deep that rides `gap` [m] above 0.05 m of sediment, in the left half of a flume.
+ParticleSet riding(double gap) {
+  Flume flume;
+  flume.begin();
+  flume.add_walls();
+  flume.fill(ParticleType::sediment, 0, 0.5, flat, [](double) { return 0.05; });
+  flume.fill(
+      ParticleType::water, 0, 0.5, [&](double) { return 0.05 + gap; }, [&](double) { return 0.15 + gap; });
+  return flume.set;
+}
+
+// A wave over a dry bed may ride a spacing or two above it. Its level is the water's; far above it is no level.
+TEST(Gauges, LevelIsThatOfWaterOverAGap) {
+  const Case c = case_with(2, {gauge("wg", GaugeKind::water_level, {0.25, 0, 0})});
+  for (const double gap : {0.005, 0.01}) {
+    const GaugeRow row = read_gauges(c, riding(gap));
+    EXPECT_NEAR(row.values[0], 0.15 + gap, 0.1 * 0.005) << gap;
+    EXPECT_NEAR(row.values[1], 0.05, 0.1 * 0.005) << gap;
+  }
+  EXPECT_NEAR(read_gauges(c, riding(0.03)).values[0], 0.05, 0.1 * 0.005);
+}
+
+// A drop two spacings above a pool is not the water's level, though as near as a riding wave.
+TEST(Gauges, LevelIsNotThatOfADropNearby) {
+  ParticleSet set = half_full(2);
+  for (int n = 0; n < 12; ++n) {
+    set.id.push_back(static_cast<std::int64_t>(set.id.size()));
+    set.type.push_back(ParticleType::water);
+    set.position.emplace_back(0.2425 + 0.005 * (n % 4), 0, 0.1625 + 0.005 * (n / 4));
+    set.velocity.emplace_back(0, 0, 0);
+    set.density.push_back(1000);
+    set.mass.push_back(0.025F);
+    set.pressure.push_back(0);
+  }
+  const Case c = case_with(2, {gauge("wg", GaugeKind::water_level, {0.25, 0, 0})});
+  EXPECT_NEAR(read_gauges(c, set).values[0], 0.15, 0.1 * 0.005);
+}
+
 // A drop over a pool is not the water's level.
 TEST(Gauges, LevelIsThatOfTheBodyOnTheFloor) {
   ParticleSet set = half_full(2);
