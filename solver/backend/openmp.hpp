@@ -226,15 +226,17 @@ struct OpenMp {
 
   void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order) const { stable_sort_by_key(key, order); }
 
-  /// buffer[i] = old buffer[order[i]].
+  /// buffer[i] = old buffer[order[i]]; entries beyond the order stay.
   template <class T>
   void reorder(Buffer<T>& buffer, const Buffer<Index>& order, Buffer<T>& scratch) const {
     scratch.resize(buffer.size());
     const T* from = buffer.data();
     T* to = scratch.data();
     const Index* source = order.data();
-    for_each(static_cast<Index>(order.size()), declare<Reads<>, Writes<>>([=](Index i) { to[i] = from[source[i]]; }));
-    for (std::size_t i = order.size(); i < buffer.size(); ++i) to[i] = from[i];
+    const auto sorted = static_cast<Index>(order.size());
+    for_each(sorted, declare<Reads<>, Writes<>>([=](Index i) { to[i] = from[source[i]]; }));
+    for_each(static_cast<Index>(buffer.size() - sorted),
+             declare<Reads<>, Writes<>>([=](Index i) { to[sorted + i] = from[sorted + i]; }));
     buffer.swap(scratch);
   }
 

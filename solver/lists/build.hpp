@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/lists/drift.hpp"
 #include "solver/lists/entries.hpp"
 #include "solver/lists/selection.hpp"
 
@@ -94,6 +95,7 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   if (asks_for_phases) mark_phases(on, p, phase);
   make_entries<Dim>(on, p, arrays.search, ClusterMarks{asks_for_phases ? phase.data() : nullptr, marks.data()});
   choose_clusters(on, p, scene, marks.data());
+  fill_drift_blocks(on, p, arrays.cells.table);
 }
 
 }  // namespace thalweg::neighbours

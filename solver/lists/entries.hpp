@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "solver/lists/search.hpp"
 
 // The entries of the neighbour lists, and what lies in reach of each cluster. A device that searches for several clusters
@@ -9,7 +12,7 @@ namespace thalweg::neighbours {
 /// Marks of a cluster: the phases in reach of it, and sediment among its members.
 enum Marks : std::uint8_t { nothing = 0, reaches_sediment = 1, reaches_water = 2, has_sediment = 4, reaches_walls = 8 };
 
-/// What is known of a cluster beside its list.
+/// The marks of all clusters, and how they are found.
 struct ClusterMarks {
   const std::uint8_t* phase;  // what each particle adds to Marks; nullptr: nobody asks
   std::uint8_t* of;           // each cluster
@@ -111,8 +114,8 @@ struct GroupSearch {
     const Index last = list.last(to - 1);
     const int sections = from < list.fluid_clusters ? 2 : 1;
     const auto box = search.box_of(first, last);
-    if (!search.is_compact(box)) return search_apart(from, to, sections, lists);
     const auto frame = frame_of<typename Lists::Frame>(first, last);
+    if (!search.is_compact(box) || meets_itself(frame)) return search_apart(from, to, sections, lists);
     lists.gather_around(frame);
     search.each_range(box, sections, [&](Index begin, Index end) { lists.gather(search.places, begin, end); });
     lists.end_gathering(marks.phase);
@@ -160,6 +163,17 @@ struct GroupSearch {
       frame.half[k] = rounding * static_cast<float>((high - low + 2) / 2) * search.lattice.quantum[k];
     }
     return frame;
+  }
+
+  /// True if the reach around a frame is wider than a period: then a place has several images near the frame.
+  template <class Frame>
+  [[nodiscard]] bool meets_itself(const Frame& frame) const {
+    const double reach = std::sqrt(frame.reach2);
+    bool meets = false;
+    for (int k = 0; k < Dim; ++k) {
+      meets = meets || (search.lattice.periodic[k] && 2 * (reach + frame.half[k]) > search.lattice.range[k]);
+    }
+    return meets;
   }
 
   template <class Lists>
