@@ -41,9 +41,7 @@ struct OpenMp {
   /// not worth waking other threads for: ten to twenty microseconds, more on a busy machine.
   static constexpr Index least_parallel = 16384;
   static constexpr Index least_parallel_clusters = 512;
-
-  /// Clusters whose lists are made together (make_lists).
-  static constexpr Index clusters_together = 4;
+  static constexpr Index clusters_together = 4;  // make_lists
 
   /// Adds to a counter that several particles may share; integers, so that the sum does not depend on the order.
   static void atomic_add(std::int64_t* counter, std::int64_t amount) {
@@ -202,26 +200,13 @@ struct OpenMp {
     }
   }
 
-  /// Makes the lists of n clusters one after the other, with `spare` entries more behind them; list c begins at
-  /// begin[c]. search(group, lists) adds those of a group of clusters to a ListScratch. Returns the number of entries.
-  /// The entries get some room to spare: if it does not do, all is searched once more.
+  /// Makes the lists of n clusters, list c from begin[c] on, and `spare` entries behind; returns how many are before those.
+  /// search(group, lists) adds the lists of a group of clusters to a ListScratch (openmp_lists.hpp).
   template <int Dim, class Search>
   Index make_lists(Index n, const Search& search, Buffer<Index>& begin, Buffer<Index>& entries, Index spare) const {
     require_particle_body<Search>();
     const Announcement announced(listener, access_of<Search>, nullptr);
-    begin.resize(std::size_t{n} + 1);
-    entries.resize(entries.capacity());
-    Index total = 0;
-    while (true) {
-      const std::size_t room = entries.size() < spare ? 0 : entries.size() - spare;
-      total = search_blocks<Dim>(search, begin.data(), entries.data(), room);
-      if (total <= room) break;
-      Buffer<Index>().swap(entries);  // before more is asked for
-      entries.resize(std::size_t{total} + total / 20 + spare);
-    }
-    begin[n] = total;
-    entries.resize(std::size_t{total} + spare);
-    return total;
+    return OpenMpLists<W, Dim>{threads}.make(n, search, begin, entries, spare);
   }
 
   void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order) const { stable_sort_by_key(key, order); }
@@ -301,34 +286,6 @@ struct OpenMp {
 
   const int* flag_ = nullptr;
   [[nodiscard]] bool is_off() const { return flag_ != nullptr && *flag_ == 0; }
-
-  /// Searches for all groups, a block of them at a time in a thread's own memory; their entries are copied as long as
-  /// they find room. Returns how many there are.
-  template <int Dim, class Search>
-  Index search_blocks(const Search& search, Index* begin, Index* entries, std::size_t room) const {
-    constexpr Index block = 32;  // some 100 kB of entries, which stay in the second cache
-    const Index groups = search.groups();
-    const Index blocks = (groups + block - 1) / block;
-    Index total = 0;
-#pragma omp parallel num_threads(threads) if (groups >= least_parallel_clusters / clusters_together)
-    {
-      ListScratch<W, Dim> lists;
-#pragma omp for ordered schedule(dynamic, 1)
-      for (Index b = 0; b < blocks; ++b) {
-        lists.start();
-        for (Index g = b * block; g < std::min(groups, (b + 1) * block); ++g) search(g, lists);
-        Index before = 0;
-#pragma omp ordered
-        {
-          before = total;
-          total += lists.entries();
-        }
-        lists.write_begins(before, begin + search.first_cluster(b * block));
-        if (std::size_t{before} + lists.entries() <= room) lists.write_entries(entries + before);
-      }
-    }
-    return total;
-  }
 
   /// what(block, from, to) for the blocks of scan_block entries of [0, n).
   template <class What>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include "solver/backend/buffer.hpp"
@@ -72,6 +73,7 @@ class ListScratch {
 
   /// Closes what was gathered. phase: a byte a particle, or nullptr.
   void end_gathering(const std::uint8_t* phase) {
+    square_.make_room(gathered_ + W);
     for (int l = 0; l < W; ++l) square_.data()[gathered_ + l] = INFINITY;  // in no cluster's reach
     if (phase == nullptr) return;
     phase_.make_room(gathered_ + W);
@@ -169,6 +171,60 @@ class ListScratch {
   LaneArray<Index> ends_;
   Index entries_used_ = 0;
   Index lists_ = 0;
+};
+
+/// Makes all lists: blocks of groups of clusters, each in a thread's own memory, are searched and then copied.
+template <int W, int Dim>
+struct OpenMpLists {
+  int threads;
+
+  /// As OpenMp::make_lists. The entries get a twentieth more room than they take, so that most searches need not be
+  /// done once more for lack of room.
+  template <class Search>
+  Index make(Index n, const Search& search, HostBuffer<Index>& begin, HostBuffer<Index>& entries, Index spare) const {
+    begin.resize(std::size_t{n} + 1);
+    entries.resize(entries.capacity());
+    Index total = 0;
+    while (true) {
+      const std::size_t room = entries.size() < spare ? 0 : entries.size() - spare;
+      total = search_blocks(search, begin.data(), entries.data(), room);
+      if (total <= room) break;
+      HostBuffer<Index>().swap(entries);  // before more is asked for
+      entries.resize(std::size_t{total} + total / 20 + spare);
+    }
+    begin[n] = total;
+    entries.resize(std::size_t{total} + spare);
+    return total;
+  }
+
+ private:
+  /// Searches for all groups; entries are copied as long as they find room. Returns how many there are.
+  template <class Search>
+  Index search_blocks(const Search& search, Index* begin, Index* entries, std::size_t room) const {
+    constexpr Index block = 32;  // some 100 kB of entries, which stay in the second cache
+    constexpr Index least_parallel = 128;
+    const Index groups = search.groups();
+    const Index blocks = (groups + block - 1) / block;
+    Index total = 0;
+#pragma omp parallel num_threads(threads) if (groups >= least_parallel)
+    {
+      ListScratch<W, Dim> lists;
+#pragma omp for ordered schedule(dynamic, 1)
+      for (Index b = 0; b < blocks; ++b) {
+        lists.start();
+        for (Index g = b * block; g < std::min(groups, (b + 1) * block); ++g) search(g, lists);
+        Index before = 0;
+#pragma omp ordered
+        {
+          before = total;
+          total += lists.entries();
+        }
+        lists.write_begins(before, begin + search.first_cluster(b * block));
+        if (std::size_t{before} + lists.entries() <= room) lists.write_entries(entries + before);
+      }
+    }
+    return total;
+  }
 };
 
 }  // namespace thalweg

@@ -159,7 +159,7 @@ double drift_after(Loaded<Dim, On>& l, const Moved& moved) {
   return std::sqrt(l.on.read(standing.state()).squared_drift) / slack;
 }
 
-/// How often lists are made anew at the start of a step: never or once.
+/// The number of times that lists are made anew at the start of a step: 0 or 1.
 template <class On>
 std::int64_t lists_made(Loaded<2, On>& l) {
   Workspace<On> work;
