@@ -46,19 +46,13 @@ inline bool has_diverged(const StepResult& result) {
   return has_diverged(result.step.extremes) || !result.viscous.converged;
 }
 
-/// Finds how far particles have moved since the lists were made, among all that can move.
-template <int Dim, class Device>
-void find_drift(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
-  neighbours::find_squared_drift(on, p, scene, scene.has_moving_walls ? p.count : p.fluid_count, state);
-}
-
-/// Takes out particles that have left the domain and makes new lists, if some particle has moved half the skin.
+/// Takes out particles that have left the domain and makes new lists, if particles have drifted half the skin.
 template <int Dim, class Device>
 std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
                                                  Workspace<Device>& work) {
   work.state.resize(1);
   if (!work.squared_drift && !p.listed_at.empty()) {
-    find_drift(on, p, scene, work.state.data());
+    neighbours::find_squared_drift(on, p, scene, work.state.data());
     work.squared_drift = on.read(work.state.data()).squared_drift;
   }
   if (!p.listed_at.empty() && !must_rebuild_lists(scene, *work.squared_drift)) return {};
@@ -129,7 +123,7 @@ void end_step(Step<Dim, Device>& s) {
   AllModels::all<stage::BeforeMotion>(s);
   move_by_leapfrog(s);
   AllModels::all<stage::AfterStep>(s);
-  s.time("refresh_neighbours", [&] { find_drift(s.on, s.p, s.scene, s.state); });
+  s.time("refresh_neighbours", [&] { neighbours::find_squared_drift(s.on, s.p, s.scene, s.state); });
   s.on.skip_unless(nullptr);
 }
 

@@ -136,6 +136,9 @@ class Gpu {
     Runtime::select(n, candidate, keep, kept.data(), count);
   }
 
+  /// A thread searches for one cluster by itself: it has no memory to gather particles in.
+  static constexpr Index clusters_together = 1;
+
   /// A find of a filter: one index at a time on a GPU.
   struct Hit {
     Index j;

@@ -11,6 +11,7 @@
 
 #include "solver/backend/buffer.hpp"
 #include "solver/backend/device.hpp"
+#include "solver/backend/openmp_lists.hpp"
 #include "solver/backend/openmp_sweep.hpp"
 
 namespace thalweg {
@@ -40,6 +41,7 @@ struct OpenMp {
   /// not worth waking other threads for: ten to twenty microseconds, more on a busy machine.
   static constexpr Index least_parallel = 16384;
   static constexpr Index least_parallel_clusters = 512;
+  static constexpr Index clusters_together = 4;  // make_lists
 
   /// Adds to a counter that several particles may share; integers, so that the sum does not depend on the order.
   static void atomic_add(std::int64_t* counter, std::int64_t amount) {
@@ -198,17 +200,28 @@ struct OpenMp {
     }
   }
 
+  /// Makes the lists of n clusters, list c from begin[c] on, and `spare` entries behind; returns how many are before those.
+  /// search(group, lists) adds the lists of a group of clusters to a ListScratch (openmp_lists.hpp).
+  template <int Dim, class Search>
+  Index make_lists(Index n, const Search& search, Buffer<Index>& begin, Buffer<Index>& entries, Index spare) const {
+    require_particle_body<Search>();
+    const Announcement announced(listener, access_of<Search>, nullptr);
+    return OpenMpLists<W, Dim>{threads}.make(n, search, begin, entries, spare);
+  }
+
   void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order) const { stable_sort_by_key(key, order); }
 
-  /// buffer[i] = old buffer[order[i]].
+  /// buffer[i] = old buffer[order[i]]; entries beyond the order stay.
   template <class T>
   void reorder(Buffer<T>& buffer, const Buffer<Index>& order, Buffer<T>& scratch) const {
     scratch.resize(buffer.size());
     const T* from = buffer.data();
     T* to = scratch.data();
     const Index* source = order.data();
-    for_each(static_cast<Index>(order.size()), declare<Reads<>, Writes<>>([=](Index i) { to[i] = from[source[i]]; }));
-    for (std::size_t i = order.size(); i < buffer.size(); ++i) to[i] = from[i];
+    const auto sorted = static_cast<Index>(order.size());
+    for_each(sorted, declare<Reads<>, Writes<>>([=](Index i) { to[i] = from[source[i]]; }));
+    for_each(static_cast<Index>(buffer.size() - sorted),
+             declare<Reads<>, Writes<>>([=](Index i) { to[sorted + i] = from[sorted + i]; }));
     buffer.swap(scratch);
   }
 

@@ -34,13 +34,11 @@ HOST_DEVICE inline std::uint64_t hilbert_code(Vec<Dim, std::uint32_t> cell, int 
   for (std::uint32_t side = std::uint32_t{1} << (bits - 1); side > 1; side >>= 1) {
     const std::uint32_t inside = side - 1;
     for (int k = 0; k < Dim; ++k) {
-      if ((cell[k] & side) != 0) {
-        cell[0] ^= inside;
-      } else {
-        const std::uint32_t swapped = (cell[0] ^ cell[k]) & inside;
-        cell[0] ^= swapped;
-        cell[k] ^= swapped;
-      }
+      // Mirrors where the bit is set, else swaps; all ones or none in place of a branch that no processor foresees.
+      const std::uint32_t is_set = (cell[k] & side) != 0 ? ~std::uint32_t{0} : 0;
+      const std::uint32_t swapped = (cell[0] ^ cell[k]) & inside & ~is_set;
+      cell[0] ^= swapped | (inside & is_set);
+      cell[k] ^= swapped;
     }
   }
   // Gray code: neighbouring positions differ in one bit.

@@ -63,10 +63,9 @@ struct ClusterSearch {
     return d * d;
   }
 
-  /// found(hits) for particles of the cells in reach of a box that lie within reach of a member in [from, to) but of
-  /// none in [already, from).
-  template <class Found>
-  HOST_DEVICE void visit(const Box& box, Index already, Index from, Index to, int sections, const Found& found) const {
+  /// range(begin, end) for the particles of every occupied cell in reach of a box; walls only with sections = 2.
+  template <class Range>
+  HOST_DEVICE void each_range(const Box& box, int sections, const Range& range) const {
     constexpr float rounding = 1.0001F;  // of the gaps
     Vec<Dim, std::int64_t> first{};
     Vec<Dim, std::int64_t> last{};
@@ -81,15 +80,12 @@ struct ClusterSearch {
     const auto gap = [&](int k, std::int64_t c) { return once_around[k] ? 0 : squared_gap(box, k, c); };
     Vec<Dim, float> gap2{};
     for (int k = 0; k < Dim; ++k) gap2[k] = gap(k, first[k]);
-    const Within within{*this, already, from, to};
     Vec<Dim, std::int64_t> cell = first;
     while (true) {
       float distance2 = gap2[0];
       for (int k = 1; k < Dim; ++k) distance2 += gap2[k];
       const std::int64_t n = distance2 < rounding * reach2 ? table.number(cell) : -1;
-      for (int s = 0; n >= 0 && s < sections; ++s) {
-        Device::template filter<Dim>(places, table.begin[s][n], table.end[s][n], within, found);
-      }
+      for (int s = 0; n >= 0 && s < sections; ++s) range(table.begin[s][n], table.end[s][n]);
       int k = 0;
       for (; k < Dim && ++cell[k] > last[k]; ++k) {
         cell[k] = first[k];
@@ -98,6 +94,15 @@ struct ClusterSearch {
       if (k == Dim) return;
       gap2[k] = gap(k, cell[k]);
     }
+  }
+
+  /// found(hits) for particles of the cells in reach of a box that lie within reach of a member in [from, to) but of
+  /// none in [already, from).
+  template <class Found>
+  HOST_DEVICE void visit(const Box& box, Index already, Index from, Index to, int sections, const Found& found) const {
+    const Within within{*this, already, from, to};
+    each_range(box, sections,
+               [&](Index begin, Index end) { Device::template filter<Dim>(places, begin, end, within, found); });
   }
 
   HOST_DEVICE Box box_of(Index first, Index last) const {
@@ -113,13 +118,18 @@ struct ClusterSearch {
     return box;
   }
 
+  /// True if a box is at most two cells wide.
+  HOST_DEVICE static bool is_compact(const Box& box) {
+    bool compact = true;
+    for (int k = 0; k < Dim; ++k) compact = compact && (box.high[k] >> 32) - (box.low[k] >> 32) <= 1;
+    return compact;
+  }
+
   /// found(hits) for the neighbours of cluster members [first, last); walls need only fluid neighbours (sections = 1).
   template <class Found>
   HOST_DEVICE void search(Index first, Index last, int sections, const Found& found) const {
     const Box box = box_of(first, last);
-    std::int64_t widest = 0;
-    for (int k = 0; k < Dim; ++k) widest = std::max(widest, (box.high[k] >> 32) - (box.low[k] >> 32));
-    if (widest <= 1) {
+    if (is_compact(box)) {
       visit(box, first, first, last, sections, found);
       return;
     }

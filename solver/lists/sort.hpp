@@ -49,13 +49,20 @@ Census take_census(Device& on, const Particles<Device>& p) {
                    });
 }
 
-/// The new order of the particles.
+/// True if the walls stand where they stood when they were sorted last, behind the same fluid particles.
 template <int Dim, class Device>
-typename Device::template Buffer<Index> hilbert_order(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+bool walls_are_sorted(const Particles<Device>& p, const Scene<Dim>& scene, const Census& now) {
+  return !scene.has_moving_walls && p.listed_at.size() == p.count && now.kept == p.count && now.fluid == p.fluid_count;
+}
+
+/// The new order of the first n particles: all of them, or the fluid.
+template <int Dim, class Device>
+typename Device::template Buffer<Index> hilbert_order(Device& on, const Particles<Device>& p, const Scene<Dim>& scene,
+                                                      Index n) {
   typename Device::template Buffer<std::uint64_t> key;
   typename Device::template Buffer<Index> order;
-  key.resize(p.count);
-  order.resize(p.count);
+  key.resize(n);
+  order.resize(n);
   const Record* records = p.record.data();
   std::uint64_t* keys = key.data();
   Index* o = order.data();
@@ -64,7 +71,7 @@ typename Device::template Buffer<Index> hilbert_order(Device& on, const Particle
   std::uint32_t most_cells = 1;
   for (int k = 0; k < Dim; ++k) most_cells = std::max(most_cells, static_cast<std::uint32_t>(lattice.cells[k]));
   const int bits = static_cast<int>(std::bit_width(most_cells - 1)) + fine_bits;
-  on.for_each(p.count, declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
+  on.for_each(n, declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
                 const Record& r = records[i];
                 std::uint64_t k = hilbert_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits), bits);
                 if (is_wall(r)) k |= wall_section;
@@ -99,7 +106,7 @@ std::vector<ExcludedParticle> excluded_behind(Device& on, const Particles<Device
 template <int Dim, class Device>
 std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   const Census census = take_census(on, p);
-  const auto order = hilbert_order(on, p, scene);
+  const auto order = hilbert_order(on, p, scene, walls_are_sorted(p, scene, census) ? census.fluid : p.count);
   const auto reorder = [&](auto& buffer) {
     std::remove_reference_t<decltype(buffer)> spare;
     on.reorder(buffer, order, spare);

@@ -4,6 +4,7 @@
 
 #include "solver/state/arrays.hpp"
 #include "solver/state/cluster_list.hpp"
+#include "solver/state/drift_blocks.hpp"
 #include "solver/state/report.hpp"
 
 namespace thalweg {
@@ -47,6 +48,10 @@ struct ParticleCore {
 
   // Neighbour lists and the places they were built for.
   Buffer<Place> listed_at;  // empty: no list yet
+  DriftBlocks drift_blocks;
+  Buffer<DriftCell> drift_cells;  // those of a block one after the other
+  Buffer<DriftBox> drift_of_cell;
+  Buffer<DriftBox> drift_of_block;
   Buffer<Index> list_begin;
   Buffer<Index> list_entries;
   Buffer<Index> clusters_with_sediment;   // fluid clusters with sediment in or within reach

@@ -66,7 +66,7 @@ struct StepState {
   std::int64_t capped = 0;  // particles whose viscosity was cut
   Index woken = 0;          // particles of the bed
   Index stopped = 0;        // particles of the bed
-  float squared_drift = 0;  // [m^2] largest since the lists were made; infinite where a particle left the domain
+  float squared_drift = 0;  // [m^2] since the lists were made (lists/drift.hpp); infinite if a particle left the domain
 };
 
 /// Limit of the density excess: beyond it a run has diverged. Water does not compress by a third, and the equation of

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <random>
 #include <set>
 
 #include "tests/solver/scenes.hpp"
@@ -16,9 +18,9 @@ template <class On>
 class Neighbours : public testing::Test {};
 TYPED_TEST_SUITE(Neighbours, test::Backends, test::BackendNames);
 
-/// Every pair closer than the reach is in the list of the first one's cluster, exactly once; walls list no walls.
+/// Every pair closer than `distance` is in the list of the first one's cluster, exactly once; walls list no walls.
 template <int Dim, class On>
-void expect_complete(const Loaded<Dim, On>& l) {
+void expect_complete(const Loaded<Dim, On>& l, double distance) {
   const test::Seen seen = test::look(l);
   const auto begin = test::copy_of(l.on, l.p.list_begin);
   const auto entries = test::copy_of(l.on, l.p.list_entries);
@@ -34,7 +36,6 @@ void expect_complete(const Loaded<Dim, On>& l) {
     }
     return r2;
   };
-  const double reach2 = l.scene.list_reach * l.scene.list_reach;
   for (Index c = 0; c < list.clusters; ++c) {
     std::multiset<Index> listed(entries.begin() + begin[c], entries.begin() + begin[c + 1]);
     listed.erase(list.count);
@@ -42,12 +43,16 @@ void expect_complete(const Loaded<Dim, On>& l) {
     for (Index i = list.first(c); i < list.last(c); ++i) {
       for (Index j = 0; j < seen.count; ++j) {
         const bool wanted = c < list.fluid_clusters || j < list.fluid_count;
-        if (wanted && distance2(i, j) < reach2 * (1 - 1e-5)) {
+        if (wanted && distance2(i, j) < distance * distance * (1 - 1e-5)) {
           ASSERT_EQ(listed.count(j), 1U) << "particle " << i << " misses neighbour " << j;
         }
       }
     }
   }
+}
+template <int Dim, class On>
+void expect_complete(const Loaded<Dim, On>& l) {
+  expect_complete(l, l.scene.list_reach);
 }
 
 /// The curve through 2^bits cells a side takes every cell once, and from each goes on through one of its faces.
@@ -135,26 +140,111 @@ TYPED_TEST(Neighbours, OneParticleHasItselfAlone) {
   EXPECT_EQ(entries[1], 1U);  // padding
 }
 
-/// Moves particle 5 by dx [m] along x; returns how often lists are then made anew at the start of a step: never or once.
-template <class On>
-std::int64_t lists_made_after_moving(test::Loaded<2, On>& l, double dx) {
+/// Moves fluid particles by moved(where) [m]; returns how far they have drifted, over half the skin.
+template <int Dim, class On, class Moved>
+double drift_after(Loaded<Dim, On>& l, const Moved& moved) {
   test::change(l, [&](test::Seen& seen) {
-    seen.position[5].x[0] += dx;
-    seen.record[5].place[0] = l.scene.lattice.place(0, seen.position[5].x[0]);
+    for (Index i = 0; i < seen.fluid_count; ++i) {
+      const Vec3 by = moved(Vec3(seen.position[i].x[0], seen.position[i].x[1], seen.position[i].x[2]));
+      for (int k = 0; k < Dim; ++k) {
+        const int c = axis<Dim>(k);
+        seen.position[i].x[c] += by[c];
+        seen.record[i].place[c] = l.scene.lattice.place(k, seen.position[i].x[c]);
+      }
+    }
   });
+  test::TestStep standing(l, 0);
+  neighbours::find_squared_drift(l.on, l.p, l.scene, standing.state());
+  const double slack = (l.scene.list_reach - 2 * l.scene.smoothing_length) / 2;
+  return std::sqrt(l.on.read(standing.state()).squared_drift) / slack;
+}
+
+/// The number of times that lists are made anew at the start of a step: 0 or 1.
+template <class On>
+std::int64_t lists_made(Loaded<2, On>& l) {
   Workspace<On> work;
   refresh_neighbours(l.on, l.p, l.scene, work);
   return work.list_rebuilds;
 }
 
-TYPED_TEST(Neighbours, ServeUntilTheSkinIsUsedUp) {
+/// A scene in the plane, full of water, 45 cells of lists wide, and half its skin.
+struct WidePlane {
   LatticeSetup<2> setup;
-  const auto scene = test::make_scene_of(setup);
-  auto l = test::load<TypeParam>(scene, test::fill_lattice(scene, test::all_water, 0.2));
-  const double slack = (scene.list_reach - 2 * scene.smoothing_length) / 2;
-  EXPECT_EQ(lists_made_after_moving(l, 0.9 * slack), 0);
-  EXPECT_EQ(lists_made_after_moving(l, 0.2 * slack), 1);
+  Scene<2> scene;
+  double slack;
+  WidePlane() {
+    setup.length = 0.75;
+    scene = test::make_scene_of(setup);
+    slack = (scene.list_reach - 2 * scene.smoothing_length) / 2;
+  }
+};
+
+TYPED_TEST(Neighbours, ServeUntilOneParticleHasCrossedTheSkin) {
+  const WidePlane plane;
+  auto l = test::load<TypeParam>(plane.scene, test::fill_lattice(plane.scene, test::all_water));
+  const auto one_by = [&](double dx) {
+    return drift_after(l, [&](const Vec3& x) { return Vec3(x.x() < 0.01 && x.z() < 0.01 ? dx : 0, 0, 0); });
+  };
+  EXPECT_NEAR(one_by(1.9 * plane.slack), 0.95, 1e-3);
+  EXPECT_EQ(lists_made(l), 0);
+  EXPECT_NEAR(one_by(0.2 * plane.slack), 1.05, 1e-3);
+  EXPECT_EQ(lists_made(l), 1);
   expect_complete(l);
+}
+
+TYPED_TEST(Neighbours, ServeUntilNeighboursHavePartedByTheSkin) {
+  const WidePlane plane;
+  auto l = test::load<TypeParam>(plane.scene, test::fill_lattice(plane.scene, test::all_water));
+  const auto halves_apart_by = [&](double dx) {
+    return drift_after(l, [&](const Vec3& x) { return Vec3(x.z() < 0.375 ? dx / 2 : -dx / 2, 0, 0); });
+  };
+  EXPECT_NEAR(halves_apart_by(1.9 * plane.slack), 0.95, 1e-3);
+  EXPECT_EQ(lists_made(l), 0);
+  EXPECT_NEAR(halves_apart_by(0.2 * plane.slack), 1.05, 1e-3);
+  EXPECT_EQ(lists_made(l), 1);
+}
+
+TYPED_TEST(Neighbours, ServeLongerWhereNeighboursMoveAlike) {
+  // Stretched by 4.2 times half the skin from side to side, but by a quarter of that within a neighbourhood.
+  const WidePlane plane;
+  auto l = test::load<TypeParam>(plane.scene, test::fill_lattice(plane.scene, test::all_water));
+  const double drift =
+      drift_after(l, [&](const Vec3& x) { return Vec3(1.9 * plane.slack * (0.999 - 2 * x.x() / 0.75), 0, 0); });
+  EXPECT_NEAR(drift, 0.95, 0.02);
+}
+
+/// Moves the fluid at random, together and each by itself, until the lists just serve: they hold all in the support.
+template <int Dim, class On>
+void expect_to_serve(LatticeSetup<Dim> setup, double together) {
+  const auto scene = test::make_scene_of(setup);
+  auto l = test::load<On>(scene, test::fill_lattice(scene, floor_below, 0.3));
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const double slack = (scene.list_reach - 2 * scene.smoothing_length) / 2;
+  double drift = 0;
+  while (drift < 0.9) {
+    const double drift_of_one = drift_after(l, [&](const Vec3& x) {
+      const Vec3 flow(std::cos(20 * x.z()), 0, std::sin(20 * x.x()));
+      return Vec3(0.1 * slack * (together * flow + Vec3(any(random), Dim == 3 ? any(random) : 0, any(random))));
+    });
+    drift = drift_of_one;
+    if (drift < 1) expect_complete(l, 2 * scene.smoothing_length);
+  }
+}
+
+TYPED_TEST(Neighbours, HoldTheSupportAsLongAsTheyServe) {
+  for (const double together : {0.0, 3.0}) {
+    LatticeSetup<2> plane;
+    plane.length = 0.3;
+    plane.skin = 0.3;
+    expect_to_serve<2, TypeParam>(plane, together);
+    plane.periodic = true;  // seven cells around: the last block is narrow
+    expect_to_serve<2, TypeParam>(plane, together);
+    LatticeSetup<3> space;
+    space.length = 0.1;
+    space.skin = 0.3;
+    expect_to_serve<3, TypeParam>(space, together);
+  }
 }
 
 TYPED_TEST(Neighbours, DropExcludedParticlesAndReportThem) {
