@@ -68,7 +68,8 @@ struct OffDiagonalPass {
 
 /// Pair sweep: adds the accelerations by a part of the stress,
 ///   rho_a du_a/dt += sum_{b water} V_b (tau_a + tau_b) . grad W
-/// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a, as the pressure is summed (momentum.hpp); forces are antisymmetric pair by pair.
+/// the paper's (7) with m_b/(rho_a rho_b) = V_b/rho_a, as the pressure is summed (momentum.hpp); forces are
+/// antisymmetric pair by pair.
 template <int Dim, const Field& part>
 struct StressForceSweep {
   using neighbours = Neighbours<field::place, field::matter, part>;
