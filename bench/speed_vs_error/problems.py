@@ -9,6 +9,7 @@ import math
 import norms
 import water
 import water_norms
+from cavity import Cavity
 from results import Gauges, quantity, resolved, snapshots
 from study.origin import ROOT
 from study.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
@@ -232,7 +233,8 @@ class Louvain:
 
 
 PROBLEMS = {"poiseuille": Slot(), "taylor_green": Vortex(), "taylor_green_100": Vortex(), "taylor_green_1000": Vortex(),
-            "taylor_green_slab": Vortex(), "still_water": Still(), "still_water_10s": Still(), "still_tank": water.StillTank(),
-            "standing_wave": water.StandingWave(), "dry_bed": water.DryBed(), "dry_sand": water.DryBed(),
-            "dry_wall": water.DryBed(), "drop": water.Falling(), "splash": water.Falling(), "dam_break": DamBreak(),
-            "impact": Impact(), "spheric02": Box(), "louvain": Louvain()}
+            "taylor_green_slab": Vortex(), "cavity": Cavity(), "cavity_1000": Cavity(),
+            "still_water": Still(), "still_water_10s": Still(), "still_tank": water.StillTank(),
+            "standing_wave": water.StandingWave(), "dry_bed": water.DryBed(), "dry_sand": water.DryBed(), "dry_wall": water.DryBed(),
+            "drop": water.Falling(), "splash": water.Falling(), "dam_break": DamBreak(), "impact": Impact(), "spheric02": Box(),
+            "louvain": Louvain()}
