@@ -7,13 +7,14 @@
 #include "case/models/pore_pressure.hpp"
 #include "case/models/rest.hpp"
 #include "case/models/sediment_motion.hpp"
+#include "case/models/shifting.hpp"
 #include "case/models/three_state.hpp"
 #include "case/models/two_pass.hpp"
 
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, TwoPass>;
+using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, TwoPass, ParticleShifting>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "case/models/shifting.hpp"
 #include "case/models/two_pass.hpp"
 #include "case/tables/table.hpp"
 #include "physics/water/viscosity_treatment.hpp"
@@ -53,6 +54,7 @@ struct Numerics {
   double excluded_limit = 1e-3;  // [-]
   Precision precision = Precision::single_sums;
   Integrator integrator = Integrator::leapfrog;
+  Shifting shifting = Shifting::off;
 
   template <class V>
   void describe(V& v) {
@@ -88,6 +90,7 @@ struct Numerics {
              "Share of the fluid particles that may leave the domain before the run stops with an error.");
     v.choice("precision", precision, "Precision in which a particle's sums over its neighbours are computed.");
     v.choice("integrator", integrator, "How a step in time is made.");
+    v.choice("shifting", shifting, "How the particles of sheared water are kept in order.");
   }
 
   /// A level of accuracy sets the defaults of other keys. Throws InputError when it is asked of a resolved case.

@@ -6,6 +6,7 @@
 #include "solver/models/pore_pressure/model.hpp"
 #include "solver/models/rest/model.hpp"
 #include "solver/models/seepage/model.hpp"
+#include "solver/models/shifting/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
 #include "solver/models/two_pass/model.hpp"
@@ -26,6 +27,6 @@ namespace thalweg {
 
 /// The list. Within a stage models run in this order.
 using AllModels = ModelList<MixtureModel, MovingWallsModel, TwoPassModel, BedModel, ViscosityModel, PoreModel,
-                            StatesModel, RestModel>;
+                            StatesModel, RestModel, ShiftingModel>;
 
 }  // namespace thalweg

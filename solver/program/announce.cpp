@@ -44,6 +44,7 @@ void announce_choices(const Case& of) {
   announce("numerics.accuracy", of.numerics.accuracy, Numerics{}.accuracy);
   announce("numerics.precision", of.numerics.precision, Numerics{}.precision);
   announce("numerics.integrator", of.numerics.integrator, Numerics{}.integrator);
+  announce("numerics.shifting", of.numerics.shifting, Numerics{}.shifting);
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
 }
