@@ -148,6 +148,7 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   timing.time("refresh_neighbours", [&] { result.excluded = refresh_neighbours(on, p, scene, work); });
   Step<Dim, Device> s{on, p, scene, work, timing, work.state.data(), {}};
   s.now.longest = longest;
+  s.now.number = work.number;
   on.write(s.now, s.state);
   on.repeat(launches_key(s), [&] {
     begin_step(s);
@@ -157,6 +158,7 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   s.now = on.read(s.state);
   ViscosityModel::finish(s, [&] { end_step(s); });
   AllModels::all<stage::AfterReading>(s);
+  ++work.number;
   work.new_lists = false;
   work.squared_drift = s.now.squared_drift;
   result.step = s.now.step;

@@ -7,6 +7,7 @@
 #include "case/models/pore_pressure.hpp"
 #include "case/models/rest.hpp"
 #include "case/models/sediment_motion.hpp"
+#include "case/models/shifting.hpp"
 #include "case/models/three_state.hpp"
 #include "case/models/turbulence.hpp"
 #include "case/models/wall_friction.hpp"
@@ -14,8 +15,8 @@
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All =
-    std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, WallStress, SubParticleStress>;
+using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, WallStress,
+                       SubParticleStress, ParticleShifting>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "case/models/shifting.hpp"
 #include "case/tables/table.hpp"
 #include "physics/water/viscosity_treatment.hpp"
 
@@ -51,6 +52,7 @@ struct Numerics {
   double list_skin = 0.15;       // [-]
   double excluded_limit = 1e-3;  // [-]
   Precision precision = Precision::single_sums;
+  Shifting shifting = Shifting::off;
 
   template <class V>
   void describe(V& v) {
@@ -87,6 +89,7 @@ struct Numerics {
     v.number("excluded_limit", excluded_limit, 0, 1,
              "Share of the fluid particles that may leave the domain before the run stops with an error.");
     v.choice("precision", precision, "Precision in which a particle's sums over its neighbours are computed.");
+    v.choice("shifting", shifting, "How the particles of sheared water are kept in order.");
   }
 
   /// A level of accuracy sets the defaults of other keys. Throws InputError when it is asked of a resolved case.

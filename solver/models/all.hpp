@@ -102,7 +102,8 @@ struct Workspace : detail::WorkspaceOf<Device, AllModels> {
   typename Device::template Buffer<StepState> state;  // one, of the step under way
   Population population;
   std::int64_t list_rebuilds = 0;
-  double time = 0;  // [s] at the start of the step
+  double time = 0;          // [s] at the start of the step
+  std::int64_t number = 0;  // of the step, from the start of the run on
 
   std::optional<float> squared_drift;  // [m^2] StepState's after the last step, where it is known
   bool new_lists = false;              // made since the last step

@@ -7,6 +7,7 @@
 #include "solver/models/pore_pressure/model.hpp"
 #include "solver/models/rest/model.hpp"
 #include "solver/models/seepage/model.hpp"
+#include "solver/models/shifting/model.hpp"
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
 #include "solver/models/sub_particle/model.hpp"
@@ -28,6 +29,6 @@ namespace thalweg {
 
 /// The list. Within a stage models run in this order.
 using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
-                            SubParticleModel, StatesModel, RestModel, WallStressModel>;
+                            SubParticleModel, StatesModel, RestModel, WallStressModel, ShiftingModel>;
 
 }  // namespace thalweg

@@ -29,6 +29,7 @@ class SimulationOn final : public Simulation {
     load_particles(on_, p_, scene_, from);
     work_.motions = motions;
     work_.time = from.info.time;
+    work_.number = from.info.step;
     work_.population = Population::of(from);
     if (scene_.has_moving_walls) load_motions(on_, p_, motions, from);
     if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);

@@ -58,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(Options, Restart,
                                              "at_rest", {"output.end=\"0.4 s\"", "output.interval=\"0.2 s\""}, "0.2 s"},
                                          Continued{"laplace", {"model.effective_pressure=laplace"}},
                                          Continued{"mixture", {"model.sediment=viscoplastic", "model.seepage=mixture"}},
-                                         Continued{"pore_pressure", {"model.pore_pressure=diffusion"}}),
+                                         Continued{"pore_pressure", {"model.pore_pressure=diffusion"}},
+                                         Continued{"shifting", {"numerics.shifting=on"}}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(RestartCheck, RefusesACheckpointThatIsAtTheEnd) {

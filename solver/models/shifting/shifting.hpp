@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cmath>
+
+#include "solver/passes/integrate.hpp"
+#include "solver/passes/sweep.hpp"
+#include "solver/passes/velocity_gradient.hpp"
+
+// Shifting: particles are moved a little, beside the motion of the fluid, from where they crowd to where they are
+// sparse, as fast as the flow shears them out of order (after Lind et al. 2012, J. Comput. Phys. 231, 1499-1523, and
+// Sun et al. 2017, Comput. Methods Appl. Mech. Eng. 315, 25-49):
+//
+//   dx_a = -C h^2 gdot_a dt s_a sum_b V_b [1 + e_a (W_ab/W(dp))^4] grad W,   |dx_a| <= 0.1 dp
+//
+// summed over water, sediment and walls alike, so that a particle in order beside a wall stays there.
+//   gdot_a  rate of strain of the water [1/s]: no shear, no shift; still water keeps its places
+//   s_a     1 inside, 0 at a free surface, where the sum points outwards and would lift the level: a ramp on
+//           -sum V F r^2/D, which is 1 in full surroundings and 0.6 in the row at the surface
+//   e_a     0.2 where the pressure is negative and nothing else holds particles apart, else 0. It acts on the nearest
+//           neighbours; where pressure holds them apart, it would push a sheared layer off its bed, by 3 % of the depth
+//           in five seconds
+// Velocities, densities and masses stay, so that momentum and kinetic energy do not change by a bit.
+namespace thalweg {
+
+namespace field {
+inline constexpr Field shift{"ShiftVelocity", quad_work};
+}
+
+namespace shifting {
+inline constexpr float strength = 20;          // C [-]
+inline constexpr float closest = 0.2F;         // e under tension [-]
+inline constexpr float surface_from = 0.93F;   // of the ramp s [-]
+inline constexpr float surface_width = 0.05F;  // [-]
+inline constexpr float longest = 0.1F;         // of a shift, in spacings [-]
+inline constexpr int interval = 4;             // steps from one shift to the next
+}  // namespace shifting
+
+/// Pair sweep over the fluid: the shift of each water particle, as the velocity [m/s] that takes it there within the
+/// step; 0 for others.
+template <int Dim>
+struct ShiftSweep {
+  using neighbours = Neighbours<field::place, field::flow, field::matter>;
+  using reads = Reads<field::place, field::flow, field::matter, field::role>;
+  using writes = Writes<field::shift>;
+  static constexpr unsigned kernel = kernel_value | kernel_gradient;
+  template <class L>
+  struct Sum {
+    Vec<Dim, L> crowding;  // sum V grad W [1/m]
+    Vec<Dim, L> closest;   // sum V (W/W(dp))^4 grad W [1/m]
+    L fullness;            // sum V F r^2 [-], -Dim inside
+    GradientSum<Dim, L> velocity;
+  };
+
+  Record* records;
+  const Role* roles;
+  const StepState* state;
+  Scene<Dim> scene;
+
+  template <class LaneT, class L>
+  HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
+    const L weight = b.volume * g.F;
+    const L ratio = g.W * L(scene.inverse_spacing_kernel);
+    const L squared = ratio * ratio;
+    const L close = weight * squared * squared;
+    for (int k = 0; k < Dim; ++k) {
+      sum.crowding[k] += weight * g.r[k];
+      sum.closest[k] += close * g.r[k];
+    }
+    sum.fullness += weight * g.r2;
+    sum.velocity.add(b.velocity - a.velocity, g, lane_select(is_water(b), weight, L(0.0F)));
+  }
+
+  HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
+    Record& r = records[i];
+    for (int c = 0; c < 3; ++c) r.work[c] = 0;
+    const float inside = (-sum.fullness / Dim - shifting::surface_from) / shifting::surface_width;
+    if (!(inside > 0) || !is_water(r) || r.volume == 0 || !is_integrated(roles, i)) return;
+    float gradient[Dim][Dim];
+    corrected_gradient(sum.velocity, gradient);
+    const auto h = static_cast<float>(scene.smoothing_length);
+    const float steps = static_cast<float>(scene.shifting_interval);
+    const float factor =
+        shifting::strength * h * h * strain_rate<Dim>(gradient).magnitude * steps * (inside < 1 ? inside : 1);
+    const float closest = r.pressure < 0 ? shifting::closest : 0;
+    float v[Dim];
+    float v2 = 0;
+    for (int k = 0; k < Dim; ++k) {
+      v[k] = -factor * (sum.crowding[k] + closest * sum.closest[k]);
+      v2 += v[k] * v[k];
+    }
+    const auto most = static_cast<float>(shifting::longest * scene.spacing / state->step.dt);
+    const float part = v2 > most * most ? most / sqrtf(v2) : 1;
+    for (int k = 0; k < Dim; ++k) r.work[axis<Dim>(k)] = part * v[k];
+  }
+};
+
+/// Particle pass: moves the particles by their shifts.
+template <int Dim>
+struct ShiftPass {
+  using reads = Reads<field::place, field::flow, field::position, field::shift>;
+  using writes = Writes<field::place, field::flow, field::matter, field::position>;
+
+  DriftPass<Dim> drift;
+
+  HOST_DEVICE void operator()(Index i) const {
+    const float* v = drift.records[i].work;
+    if (v[0] != 0 || v[1] != 0 || v[2] != 0) drift.move(i, v);
+  }
+};
+
+/// Shifts the water, if the step's number is a multiple of the interval.
+template <int Dim, class Device>
+void shift_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
+  const int interval = scene.shifting_interval;
+  on.for_each(1, declare<Reads<>, Writes<>>(
+                     [=] HOST_DEVICE(Index) { state->shifts = state->number % interval == 0 ? state->moves : 0; }));
+  const int* const before = on.skip_unless(&state->shifts);
+  sweep(on, p, scene, p.all_fluid(), ShiftSweep<Dim>{p.record.data(), p.roles(), state, scene});
+  on.for_each(p.fluid_count, ShiftPass<Dim>{{p.record.data(), p.position.data(), scene, state, 1.0}});
+  on.skip_unless(before);
+}
+
+}  // namespace thalweg
