@@ -18,6 +18,9 @@ HOST_DEVICE inline Real compression_by_water(Real own, Real by_water) {
   return by_water > -own ? by_water : -own;
 }
 
+/// Share of the above that acts on a grain [-], 0 to 1: all of it on a grain of a bed, none on one that flies alone, which
+/// has no compression of its own to be relieved. bed_share = sum of V W over sediment and walls, the grain itself left
+/// out [-]: 0 for a lone grain, 0.45 in the top row of a bed with h = 1.5 dp, 0.52 with 2 dp.
 template <class Real>
 HOST_DEVICE inline Real held_share(Real bed_share) {
   const Real s = (bed_share - Real(0.15)) * 5;
