@@ -47,14 +47,17 @@ struct DriftPass {
   const StepState* state;
   double share;
 
-  HOST_DEVICE void operator()(Index i) const {
+  HOST_DEVICE void operator()(Index i) const { move(i, records[i].velocity); }
+
+  /// Moves particle i with a velocity [m/s] of three components.
+  HOST_DEVICE void move(Index i, const float* velocity) const {
     Record& r = records[i];
     if (r.volume == 0) return;
     const double dt = share * state->step.dt;
     for (int k = 0; k < Dim; ++k) {
       const int c = axis<Dim>(k);
       double& x = positions[i].x[c];
-      x += dt * double(r.velocity[c]);
+      x += dt * double(velocity[c]);
       if (scene.lattice.periodic[k]) {
         if (x < scene.lattice.origin[k]) x += scene.lattice.range[k];
         if (x >= scene.lattice.origin[k] + scene.lattice.range[k]) x -= scene.lattice.range[k];

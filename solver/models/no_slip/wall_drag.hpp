@@ -12,7 +12,7 @@ namespace thalweg {
 /// with the velocity that they have. With it 0.125 h^2/nu is a stable step beside walls too: near one the diagonal of
 /// the viscous sum is about 10 nu/h^2, in a corner 13, in the open 7, and twice its inverse bounds the step.
 template <int Dim>
-struct WallDragSweep {
+struct NoSlipSweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
   using reads = Reads<field::place, field::flow, field::matter, field::rates>;
   using writes = Writes<field::rates>;
@@ -43,7 +43,7 @@ struct WallDragSweep {
 
 template <int Dim, class Device>
 void add_wall_drag(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  sweep(on, p, scene, p.near_walls(), WallDragSweep<Dim>{p.record.data(), p.rates.data(), scene});
+  sweep(on, p, scene, p.near_walls(), NoSlipSweep<Dim>{p.record.data(), p.rates.data(), scene});
 }
 
 }  // namespace thalweg
