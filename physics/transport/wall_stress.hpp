@@ -6,13 +6,16 @@
 
 namespace thalweg {
 
-/// Height z [m] at which a logarithmic profile has its mean over water of the mean height `mean` [m] and the variance
-/// `variance` of heights [m^2]: mean(ln z) = ln(mean) - variance/(2 mean^2) + ..., hence
-///   z = mean exp(-min(variance/(2 mean^2), 0.5))
-/// The bound holds where water is spread so widely that the series says nothing.
+/// Height z [m] at which a logarithmic profile has its mean over the water in a kernel's reach, of the mean height `mean`
+/// [m] and the variance `variance` of heights [m^2]:
+///   z = mean exp(-min(0.38 variance/mean^2, 0.5))
+/// The series of the mean logarithm begins with 1/2 in place of 0.38; layers of particles that thin out with the height
+/// have a skewness that takes part of it back. 0.38 is within 2 % of exp(mean(ln z)) of lattices with h/dp from 1.5 to 2
+/// whose particles are displaced by 0 to 0.2 dp, in two and three dimensions; 1/2 is 2 to 6 % low. The bound is for water
+/// spread so widely that this says nothing.
 template <class Real>
 HOST_DEVICE inline Real log_mean_height(Real mean, Real variance) {
-  const Real spread = variance / (2 * mean * mean);
+  const Real spread = Real(0.38) * variance / (mean * mean);
   return mean * std::exp(-(spread < Real(0.5) ? spread : Real(0.5)));
 }
 

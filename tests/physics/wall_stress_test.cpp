@@ -45,12 +45,17 @@ TEST(WallFrictionVelocity, IsBoundedAmongTheRoughnessElements) {
 }
 
 TEST(LogMeanHeight, IsTheHeightOfTheMeanLogarithm) {
-  // Heights spread evenly over mean (1 -+ 0.5): mean ln z = ln(mean) - 0.0452, variance mean^2/12: exp(-1/24) = 0.9592.
-  const double mean = 0.01;
+  // Layers at 0.5, 1.5 and 2.5 dp with the weights that a lattice of h/dp = 2 gives them.
+  const double weights[] = {0.797, 0.183, 0.020};
+  double mean = 0;
+  double square = 0;
   double logarithm = 0;
-  const int n = 1000;
-  for (int k = 0; k < n; ++k) logarithm += std::log(mean * (0.5 + (k + 0.5) / n)) / n;
-  EXPECT_NEAR(log_mean_height(mean, mean * mean / 12), std::exp(logarithm), 0.005 * mean);
+  for (int k = 0; k < 3; ++k) {
+    mean += weights[k] * (k + 0.5);
+    square += weights[k] * (k + 0.5) * (k + 0.5);
+    logarithm += weights[k] * std::log(k + 0.5);
+  }
+  EXPECT_NEAR(log_mean_height(mean, square - mean * mean), std::exp(logarithm), 0.02 * mean);
   EXPECT_DOUBLE_EQ(log_mean_height(mean, 100 * mean * mean), mean * std::exp(-0.5));
 }
 

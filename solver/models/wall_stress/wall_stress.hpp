@@ -179,8 +179,8 @@ void turn_normals(Device& on, Particles<Device>& p, const std::vector<WallMotion
 template <int Dim, class Device>
 void add_wall_stress(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   Record* records = p.record.data();
-  sweep(on, p, scene, p.walls_near_fluid(),
-        WallElementSweep<Dim>{records, p.wall_element.data(), p.wall_normal.data(), scene});
+  const WallNormal* turned = p.wall_normal.size() == 0 ? nullptr : p.wall_normal.data();
+  sweep(on, p, scene, p.walls_near_fluid(), WallElementSweep<Dim>{records, p.wall_element.data(), turned, scene});
   sweep(on, p, scene, p.near_walls(), WallDragSweep<Dim>{records, p.mass.data(), p.rates.data()});
   if (!scene.has_sediment) return;
   const Index first = p.fluid_count;

@@ -37,9 +37,8 @@ Loaded<Dim, On> load_with_elements(const Scene<Dim>& scene, const ParticleSet& f
 
 /// Gives water the velocity (u*/kappa) ln(height/z0) along a direction, with noise of u* to all sides, and walls of the
 /// roughness ks [m].
-template <class Direction>
-void log_profile(ParticleSet& particles, const Direction& along, double friction_velocity, double ks,
-                 const std::function<double(const Vec3&)>& height) {
+inline void log_profile(ParticleSet& particles, const std::function<Vec3(const Vec3&)>& along, double friction_velocity,
+                        double ks, const std::function<double(const Vec3&)>& height) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> noise(-friction_velocity, friction_velocity);
   const double z0 = 0.11 * 1e-6 / friction_velocity + 0.033 * ks;
@@ -50,13 +49,15 @@ void log_profile(ParticleSet& particles, const Direction& along, double friction
     if (!water) continue;
     const Vec3& x = particles.position[i];
     const double speed = friction_velocity / 0.41 * std::log(std::max(height(x), 0.1e-3) / z0);
-    Vec3 direction;
-    if constexpr (std::is_invocable_v<Direction, Vec3>) {
-      direction = along(x);
-    } else {
-      direction = along;
-    }
-    particles.velocity[i] = (speed * direction + Vec3(noise(random), 0, noise(random))).template cast<float>();
+    particles.velocity[i] = (speed * along(x) + Vec3(noise(random), 0, noise(random))).cast<float>();
+  }
+}
+
+/// Gives all water one velocity [m/s].
+inline void uniform_current(ParticleSet& particles, double speed) {
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const bool water = particles.type[i] == ParticleType::water;
+    particles.velocity[i] = Eigen::Vector3f(water ? static_cast<float>(speed) : 0, 0, 0);
   }
 }
 
