@@ -10,15 +10,15 @@
 // sparse, as fast as the flow shears them out of order (after Lind et al. 2012, J. Comput. Phys. 231, 1499-1523, and
 // Sun et al. 2017, Comput. Methods Appl. Mech. Eng. 315, 25-49):
 //
-//   dx_a = -C h^2 gdot_a dt s_a sum_b V_b [1 + e_a (W_ab/W(dp))^4] grad W,   |dx_a| <= 0.1 dp
+//   dx_a = -C h^2 gdot_a dt s_a sum_b V_b [1 + e_ab (W_ab/W(dp))^4] grad W,   |dx_a| <= 0.1 dp
 //
 // summed over water, sediment and walls alike, so that a particle in order beside a wall stays there.
 //   gdot_a  rate of strain of the water [1/s]: no shear, no shift; still water keeps its places
 //   s_a     1 inside, 0 at a free surface, where the sum points outwards and would lift the level: a ramp on
 //           -sum V F r^2/D, which is 1 in full surroundings and 0.6 in the row at the surface
-//   e_a     0.2 where the pressure is negative and nothing else holds particles apart, else 0. It acts on the nearest
-//           neighbours; where pressure holds them apart, it would push a sheared layer off its bed, by 3 % of the depth
-//           in five seconds
+//   e_ab    0.2 between pairs that nothing presses together: all where there is no gravity, and with gravity those under
+//           tension, p_a + p_b < 0; else 0. It acts between nearest neighbours, and mends a lattice that tension tears.
+//           Between pairs under weight it would push a sheared layer off its bed, by 3 % of the depth in five seconds
 // Velocities, densities and masses stay, so that momentum and kinetic energy do not change by a bit.
 namespace thalweg {
 
@@ -45,8 +45,7 @@ struct ShiftSweep {
   static constexpr unsigned kernel = kernel_value | kernel_gradient;
   template <class L>
   struct Sum {
-    Vec<Dim, L> crowding;  // sum V grad W [1/m]
-    Vec<Dim, L> closest;   // sum V (W/W(dp))^4 grad W [1/m]
+    Vec<Dim, L> crowding;  // sum V [1 + e (W/W(dp))^4] grad W [1/m]
     L fullness;            // sum V F r^2 [-], -Dim inside
     GradientSum<Dim, L> velocity;
   };
@@ -61,11 +60,9 @@ struct ShiftSweep {
     const L weight = b.volume * g.F;
     const L ratio = g.W * L(scene.inverse_spacing_kernel);
     const L squared = ratio * ratio;
-    const L close = weight * squared * squared;
-    for (int k = 0; k < Dim; ++k) {
-      sum.crowding[k] += weight * g.r[k];
-      sum.closest[k] += close * g.r[k];
-    }
+    const L torn = lane_select(a.pressure + b.pressure < L(scene.pressing), L(shifting::closest), L(0.0F));
+    const L repelling = weight * (L(1.0F) + torn * squared * squared);
+    for (int k = 0; k < Dim; ++k) sum.crowding[k] += repelling * g.r[k];
     sum.fullness += weight * g.r2;
     sum.velocity.add(b.velocity - a.velocity, g, lane_select(is_water(b), weight, L(0.0F)));
   }
@@ -81,11 +78,10 @@ struct ShiftSweep {
     const float steps = static_cast<float>(scene.shifting_interval);
     const float factor =
         shifting::strength * h * h * strain_rate<Dim>(gradient).magnitude * steps * (inside < 1 ? inside : 1);
-    const float closest = r.pressure < 0 ? shifting::closest : 0;
     float v[Dim];
     float v2 = 0;
     for (int k = 0; k < Dim; ++k) {
-      v[k] = -factor * (sum.crowding[k] + closest * sum.closest[k]);
+      v[k] = -factor * sum.crowding[k];
       v2 += v[k] * v[k];
     }
     const auto most = static_cast<float>(shifting::longest * scene.spacing / state->step.dt);
