@@ -38,21 +38,21 @@ struct Numerics {
   static constexpr TableHeading heading{"numerics", "How it is computed."};
 
   Accuracy accuracy = Accuracy::standard;
-  double spacing = required;           // [m]
-  double smoothing_ratio = 1.5;        // [-] h / spacing
-  double sound_speed_factor = 10;      // [-]
-  double maximum_speed = 0;            // [m/s]; 0: 2 sqrt(g H)
-  double cfl = 0.5;                    // [-]
-  double density_diffusion = 0.1;      // [-]
-  double artificial_viscosity = 0.02;  // [-]
-  double acoustic_damper = 1;          // [-]
+  double spacing = required;          // [m]
+  double smoothing_ratio = 1.5;       // [-] h / spacing
+  double sound_speed_factor = 10;     // [-]
+  double maximum_speed = 0;           // [m/s]; 0: 2 sqrt(g H)
+  double cfl = 0.5;                   // [-]
+  double density_diffusion = 0.1;     // [-]
+  double artificial_viscosity = 0.1;  // [-]
+  double acoustic_damper = 1;         // [-]
   ViscosityTreatment viscosity = ViscosityTreatment::implicit;
   double viscous_tolerance = 1e-3;  // [-]
   int viscous_iterations = 1000;
   double list_skin = 0.15;       // [-]
   double excluded_limit = 1e-3;  // [-]
   Precision precision = Precision::single_sums;
-  Shifting shifting = Shifting::off;
+  Shifting shifting = Shifting::automatic;  // off or on as soon as the case has been read
 
   template <class V>
   void describe(V& v) {
@@ -62,7 +62,7 @@ struct Numerics {
     v.quantity("spacing", spacing, "m", 1e-6, 100, "Distance of the particles at the start (dp).");
     v.number(
         "smoothing_ratio", smoothing_ratio, 1.1, 3,
-        "Smoothing length over spacing. Where it is not given it is 1.5, and 2 in plane scenes of water alone, which "
+        "Smoothing length over spacing. Where it is not given it is 1.5, and 2.2 in plane scenes of water alone, which "
         "cost no more with it and are more exact (docs/speed-against-error.md).");
     v.number("sound_speed_factor", sound_speed_factor, 5, 100,
              "Sound speed over maximum_speed; 10 keeps density within 1 %.");
@@ -76,7 +76,8 @@ struct Numerics {
         "0.7 and diverges at 1.0; so more than 0.8 is refused.");
     v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
     v.number("artificial_viscosity", artificial_viscosity, 0, 1,
-             "Alpha of the artificial viscosity between approaching particles of one phase.");
+             "Alpha of the artificial viscosity between approaching particles of one phase. It acts where the flow is "
+             "compressed or disordered, not in shear, vortices and waves (docs/theory.md).");
     v.number("acoustic_damper", acoustic_damper, 0, 1,
              "Factor of the acoustic damper, a bulk viscosity of c h that quiets sound and leaves flow alone.");
     v.choice("viscosity", viscosity, "How the viscosity of the sediment is advanced in time.");
@@ -94,6 +95,7 @@ struct Numerics {
 
   /// A level of accuracy sets the defaults of other keys. Throws InputError when it is asked of a resolved case.
   void set_defaults(const GivenWords& given);
+  void complete(const Case& whole);
   void check(const Case& whole, const CheckContext& at) const;
 };
 
