@@ -205,7 +205,7 @@ TYPED_TEST(Neighbours, ServeUntilNeighboursHavePartedByTheSkin) {
 }
 
 TYPED_TEST(Neighbours, ServeLongerWhereNeighboursMoveAlike) {
-  // Stretched by 4.2 times half the skin from side to side, but by a quarter of that within a neighbourhood.
+  // Stretched by 3.8 times half the skin from side to side, but by a quarter of that within a neighbourhood.
   const WidePlane plane;
   auto l = test::load<TypeParam>(plane.scene, test::fill_lattice(plane.scene, test::all_water));
   const double drift =
