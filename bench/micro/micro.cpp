@@ -257,7 +257,8 @@ void register_all(int edge) {
       },
       2 * sizeof(Vectors) + row);
   register_pass<Dim>(
-      "largest drift", edge, [](B& b) { find_drift(b.on, b.p, b.scene, &b.state); }, sizeof(Record) + sizeof(Place));
+      "largest drift", edge, [](B& b) { neighbours::find_squared_drift(b.on, b.p, b.scene, &b.state); },
+      sizeof(Record) + sizeof(Place));
   register_pass<Dim>(
       "sort", edge, [](B& b) { neighbours::sort_particles(b.on, b.p, b.scene); }, 0);
   register_pass<Dim>(

@@ -6,7 +6,7 @@
 
 // Neighbour lists: particles are sorted along a Hilbert curve of cells one list reach wide, and every cluster of four
 // consecutive ones gets one list of all particles within reach of any of them. The reach exceeds the kernel's support
-// by a skin, so that a list serves until some particle has crossed half the skin.
+// by a skin, so that a list serves for some steps (drift.hpp).
 namespace thalweg::neighbours {
 
 /// Particle pass: copies one direction of the places into an array of its own.

@@ -52,34 +52,55 @@ Census take_census(Device& on, const Particles<Device>& p) {
 /// True if the walls stand where they stood when they were sorted last, behind the same fluid particles.
 template <int Dim, class Device>
 bool walls_are_sorted(const Particles<Device>& p, const Scene<Dim>& scene, const Census& now) {
-  return !scene.has_moving_walls && p.listed_at.size() == p.count && now.kept == p.count && now.fluid == p.fluid_count;
+  return p.walls_sorted && !scene.has_moving_walls && p.listed_at.size() == p.count && now.kept == p.count &&
+         now.fluid == p.fluid_count;
+}
+
+/// A particle's position in the order: along the curve, walls after fluid.
+template <int Dim>
+struct HilbertKey {
+  const Record* records;
+  Lattice<Dim> lattice;
+  int bits;
+
+  HilbertKey(const Record* of, const Lattice<Dim>& on) : records(of), lattice(on) {
+    std::uint32_t most_cells = 1;
+    for (int k = 0; k < Dim; ++k) most_cells = std::max(most_cells, static_cast<std::uint32_t>(lattice.cells[k]));
+    bits = static_cast<int>(std::bit_width(most_cells - 1)) + fine_bits;
+  }
+  HOST_DEVICE std::uint64_t operator()(Index i) const {
+    const std::uint64_t along = hilbert_code<Dim>(cell_of<Dim>(lattice, records[i].place, fine_bits), bits);
+    return is_wall(records[i]) ? along | wall_section : along;
+  }
+};
+
+/// True if the particles stand in the order of their list cells, which the search for neighbours relies on.
+template <int Dim, class Device>
+bool are_in_order(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+  const HilbertKey<Dim> key(p.record.data(), scene.lattice);
+  return on.reduce(p.count, true,
+                   declare<Neighbours<field::place, field::matter>, Reads<>, Writes<>>(
+                       [=] HOST_DEVICE(Index i) { return i == 0 || key(i - 1) <= key(i); }),
+                   [] HOST_DEVICE(bool a, bool b) { return a && b; });
 }
 
 /// The new order of the first n particles: all of them, or the fluid.
 template <int Dim, class Device>
 typename Device::template Buffer<Index> hilbert_order(Device& on, const Particles<Device>& p, const Scene<Dim>& scene,
                                                       Index n) {
-  typename Device::template Buffer<std::uint64_t> key;
+  typename Device::template Buffer<std::uint64_t> keys;
   typename Device::template Buffer<Index> order;
-  key.resize(n);
+  keys.resize(n);
   order.resize(n);
-  const Record* records = p.record.data();
-  std::uint64_t* keys = key.data();
+  const HilbertKey<Dim> key(p.record.data(), scene.lattice);
+  const Gone gone{p.record.data(), p.type.data()};
+  std::uint64_t* k = keys.data();
   Index* o = order.data();
-  const Lattice<Dim> lattice = scene.lattice;
-  const Gone gone{records, p.type.data()};
-  std::uint32_t most_cells = 1;
-  for (int k = 0; k < Dim; ++k) most_cells = std::max(most_cells, static_cast<std::uint32_t>(lattice.cells[k]));
-  const int bits = static_cast<int>(std::bit_width(most_cells - 1)) + fine_bits;
   on.for_each(n, declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
-                const Record& r = records[i];
-                std::uint64_t k = hilbert_code<Dim>(cell_of<Dim>(lattice, r.place, fine_bits), bits);
-                if (is_wall(r)) k |= wall_section;
-                if (gone(i)) k |= gone_section;
-                keys[i] = k;
+                k[i] = gone(i) ? key(i) | gone_section : key(i);
                 o[i] = i;
               }));
-  on.sort_by_key(key, order);
+  on.sort_by_key(keys, order);
   return order;
 }
 
@@ -126,6 +147,7 @@ std::vector<ExcludedParticle> sort_particles(Device& on, Particles<Device>& p, c
   }
   p.count = end;
   p.fluid_count = census.fluid;
+  p.walls_sorted = true;
   return excluded;
 }
 

@@ -156,7 +156,8 @@ void swap_places(Device& on, Particles<Device>& p) {
 }
 
 /// Builds the lists of a checkpoint. It holds the particles in list order, and lists are built for the places they were
-/// built for, which makes the continued run the same, bit for bit, as one that never stopped.
+/// built for, which makes the continued run the same, bit for bit, as one that never stopped. With another reach the list
+/// cells differ, and with them the order: then the first step sorts the particles and makes lists of its own.
 template <int Dim, class Device>
 void restore_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<double>& listed) {
   HostBuffer<Place> places(p.count);
@@ -165,9 +166,13 @@ void restore_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene, co
   }
   on.upload(std::move(places), p.listed_at);
   swap_places(on, p);
-  neighbours::build_lists(on, p, scene);
-  if (scene.may_rest) list_active_clusters(on, p);
+  const bool in_order = neighbours::are_in_order(on, p, scene);
+  if (in_order) {
+    neighbours::build_lists(on, p, scene);
+    if (scene.may_rest) list_active_clusters(on, p);
+  }
   swap_places(on, p);
+  if (!in_order) p.listed_at.resize(0);
 }
 
 }  // namespace thalweg

@@ -47,7 +47,8 @@ struct ParticleCore {
   Buffer<Role> role;          // empty unless particles are born or die (domain/population.hpp)
 
   // Neighbour lists and the places they were built for.
-  Buffer<Place> listed_at;  // empty: no list yet
+  Buffer<Place> listed_at;    // empty: no list yet
+  bool walls_sorted = false;  // here, once: walls that stand still keep their order
   DriftBlocks drift_blocks;
   Buffer<DriftCell> drift_cells;  // those of a block one after the other
   Buffer<DriftBox> drift_of_cell;

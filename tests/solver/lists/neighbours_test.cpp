@@ -205,7 +205,7 @@ TYPED_TEST(Neighbours, ServeUntilNeighboursHavePartedByTheSkin) {
 }
 
 TYPED_TEST(Neighbours, ServeLongerWhereNeighboursMoveAlike) {
-  // Stretched by 4.2 times half the skin from side to side, but by a quarter of that within a neighbourhood.
+  // Stretched by 3.8 times half the skin from side to side, but by a quarter of that within a neighbourhood.
   const WidePlane plane;
   auto l = test::load<TypeParam>(plane.scene, test::fill_lattice(plane.scene, test::all_water));
   const double drift =
@@ -245,6 +245,23 @@ TYPED_TEST(Neighbours, HoldTheSupportAsLongAsTheyServe) {
     space.skin = 0.3;
     expect_to_serve<3, TypeParam>(space, together);
   }
+}
+
+TYPED_TEST(Neighbours, NeedTheOrderOfTheirReach) {
+  LatticeSetup<2> setup;
+  const auto scene = test::make_scene_of(setup);
+  auto l = test::load<TypeParam>(scene, test::fill_lattice(scene, floor_below, 0.2));
+  EXPECT_TRUE(neighbours::are_in_order(l.on, l.p, scene));
+  setup.skin = 0.3;
+  const auto wider = test::make_scene_of(setup);
+  EXPECT_FALSE(neighbours::are_in_order(l.on, l.p, wider));
+  // A checkpoint of the narrower reach goes on with the wider one.
+  HostBuffer<double> listed;
+  for (const Place& at : test::copy_of(l.on, l.p.listed_at)) listed.insert(listed.end(), at.c, at.c + 3);
+  l.scene = wider;
+  restore_lists(l.on, l.p, wider, {listed.begin(), listed.end()});
+  EXPECT_EQ(lists_made(l), 1);
+  expect_complete(l);
 }
 
 TYPED_TEST(Neighbours, DropExcludedParticlesAndReportThem) {
