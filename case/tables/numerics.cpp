@@ -10,9 +10,9 @@
 
 namespace thalweg {
 
-/// smoothing_ratio in plane scenes of water alone. It costs nothing there: 2.2 times the neighbours, two thirds of the
+/// smoothing_ratio in plane scenes of water alone. It costs nothing there: twice the neighbours, three quarters of the
 /// steps. A standing wave loses half as much, and an impact rings half as loud (docs/speed-against-error.md).
-constexpr double smoothing_ratio_of_plane_water = 2.2;
+constexpr double smoothing_ratio_of_plane_water = 2;
 
 Numerics numerics_at(Accuracy accuracy) {
   Numerics numerics;
