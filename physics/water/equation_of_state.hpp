@@ -37,16 +37,6 @@ HOST_DEVICE inline Real damper_pressure(Real density_at_rest, Real damping, Real
   return density_at_rest * damping * excess_rate;
 }
 
-/// The rate for the damper [1/s] from the last one and the one before: the smaller of the two, or none where they differ
-/// in sign. A rate that swings from step to step is what an explicit damper drives itself: in a knot of particles that
-/// lie on top of each other, where div grad is twice as stiff as on the lattice, it grew by 16 % a step and flung them
-/// apart. Swings that the step resolves keep their sign for several steps.
-template <class Real>
-HOST_DEVICE inline Real steady_rate(Real last, Real before) {
-  if (last * before <= 0) return 0;
-  return (last > 0) == (last > before) ? before : last;
-}
-
 /// Stiffness B = rho0 c^2 / 7 [Pa] from the density at rest rho0 [kg/m^3] and the sound speed c [m/s], with which small
 /// waves run: dp/drho = c^2 at d = 0.
 template <class Real>

@@ -5,57 +5,34 @@
 
 namespace thalweg {
 
-/// The things beside its density that the state of a particle depends on.
-struct DampedState {
-  using reads = Reads<field::matter, field::rates, field::rate_before, field::dissipation>;
-  using writes = Writes<field::matter, field::rate_before>;
-
-  Record* records;
-  const Rates* rates;
-  float* rate_before;        // nullptr without the acoustic damper
-  const float* dissipation;  // nullptr without artificial viscosity
-
-  /// Brings the share of the artificial viscosity to the record, and finds the rate for the damper [1/s].
-  [[nodiscard]] HOST_DEVICE float take(Index i) const {
-    if (dissipation != nullptr) records[i].dissipation = dissipation[i];
-    if (rate_before == nullptr) return 0;
-    const float last = rates[i].excess_rate;
-    const float rate = steady_rate(last, rate_before[i]);
-    rate_before[i] = last;
-    return rate;
-  }
-};
-
-template <class Device>
-DampedState damped_state(Particles<Device>& p) {
-  return {p.record.data(), p.rates.data(), p.rate_before.size() == 0 ? nullptr : p.rate_before.data(),
-          p.dissipations()};
-}
-
-/// Particle pass: p from the density excess by the phase's equation of state, and from its rate by the acoustic
+/// Particle pass: p from the density excess by the phase's equation of state, and from its last rate by the acoustic
 /// damper; volume from mass and density. Particles at rest get theirs from their neighbours (models/rest/resting_pressure.hpp).
 template <int Dim>
 struct EquationOfStatePass {
-  using reads = DampedState::reads::With<field::place, field::mass>;
-  using writes = DampedState::writes::With<field::place, field::flow>;
+  using reads = Reads<field::place, field::matter, field::mass, field::rates, field::dissipation>;
+  using writes = Writes<field::place, field::flow, field::matter>;
 
-  DampedState damped;
+  Record* records;
   const float* mass;
+  const Rates* rates;
+  const float* dissipation;  // nullptr without artificial viscosity
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
-    Record& r = damped.records[i];
-    const float rate = damped.take(i);
+    Record& r = records[i];
+    if (dissipation != nullptr) r.dissipation = dissipation[i];
     if (r.volume == 0 || is_resting(r)) return;
     const float rho0 = scene.density_at_rest(r.kind);
-    r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) + damper_pressure(rho0, scene.acoustic_damping, rate);
+    r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) +
+                 damper_pressure(rho0, scene.acoustic_damping, rates[i].excess_rate);
     r.volume = mass[i] / (rho0 * (1 + r.excess));
   }
 };
 
 template <int Dim, class Device>
 void apply_equation_of_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  on.for_each(p.fluid_count, EquationOfStatePass<Dim>{damped_state(p), p.mass.data(), scene});
+  on.for_each(p.fluid_count,
+              EquationOfStatePass<Dim>{p.record.data(), p.mass.data(), p.rates.data(), p.dissipations(), scene});
 }
 
 /// Pair sum: pressure extrapolated from the moving fluid in reach, balanced for gravity (Adami, Hu & Adams 2012, J.

@@ -39,7 +39,6 @@ inline constexpr Field mass{"Mass"};
 inline constexpr Field id{"Id"};
 inline constexpr Field type{"Type"};
 inline constexpr Field rates{"Rates"};
-inline constexpr Field rate_before{"RateBefore"};
 inline constexpr Field dissipation{"Dissipation"};
 inline constexpr Field role{"Role"};
 inline constexpr Field listed_at{"ListedAt"};

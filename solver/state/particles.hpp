@@ -43,7 +43,6 @@ struct ParticleCore {
   Buffer<std::int64_t> id;
   Buffer<std::uint8_t> type;
   Buffer<Rates> rates;
-  Buffer<float> rate_before;  // excess rate of the step before the last [1/s]; empty without the acoustic damper
   Buffer<float> dissipation;  // share of the artificial viscosity that acts on water [-]; empty without that viscosity
   Buffer<Role> role;          // empty unless particles are born or die (domain/population.hpp)
 
@@ -80,7 +79,6 @@ struct ParticleCore {
     v.array(field::id, id, sorted, std::int64_t{0});
     v.array(field::type, type, sorted, std::uint8_t{0});
     v.array(field::rates, rates, sorted | checkpointed, Rates{});
-    if (scene.acoustic_damping > 0) v.array(field::rate_before, rate_before, sorted | checkpointed, 0.0F);
     if (scene.artificial_viscosity > 0) v.array(field::dissipation, dissipation, sorted | checkpointed, 1.0F);
     if (!role.empty()) v.array(field::role, role, sorted | checkpointed, Role::integrated);
   }

@@ -208,22 +208,23 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Step
           [=] HOST_DEVICE(Index i) { stopping[i] = may_stop(i) ? 1 : 0; }));
   Rates* rates = p.rates.data();
   // A particle that stops has the pressure and volume of its last density: the equation of state leaves it alone.
-  const EquationOfStatePass<Dim> take_state{damped_state(p), p.mass.data(), scene};
-  on.reduce_then(p.fluid_count, Index{0},
-                 declare<typename EquationOfStatePass<Dim>::reads::template With<field::stopping>,
-                         Writes<field::place, field::flow, field::matter, field::viscous_vector, field::rates,
-                                field::sediment, field::rate_before>>([=] HOST_DEVICE(Index i) {
-                   if (stopping[i] == 0) return Index{0};
-                   take_state(i);
-                   records[i].kind = kind::resting;
-                   for (int c = 0; c < 3; ++c) {
-                     records[i].velocity[c] = records[i].work[c] = sediment[i].viscous_acceleration[c] = 0;
-                   }
-                   rates[i] = {};
-                   sediment[i].strain_rate = 0;
-                   return Index{1};
-                 }),
-                 sum, [=] HOST_DEVICE(Index stopped) { state->stopped += stopped; });
+  const EquationOfStatePass<Dim> take_state{records, p.mass.data(), rates, p.dissipations(), scene};
+  on.reduce_then(
+      p.fluid_count, Index{0},
+      declare<Reads<field::place, field::matter, field::mass, field::rates, field::dissipation, field::stopping>,
+              Writes<field::place, field::flow, field::matter, field::viscous_vector, field::rates, field::sediment>>(
+          [=] HOST_DEVICE(Index i) {
+            if (stopping[i] == 0) return Index{0};
+            take_state(i);
+            records[i].kind = kind::resting;
+            for (int c = 0; c < 3; ++c) {
+              records[i].velocity[c] = records[i].work[c] = sediment[i].viscous_acceleration[c] = 0;
+            }
+            rates[i] = {};
+            sediment[i].strain_rate = 0;
+            return Index{1};
+          }),
+      sum, [=] HOST_DEVICE(Index stopped) { state->stopped += stopped; });
 }
 
 }  // namespace thalweg

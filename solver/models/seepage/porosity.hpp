@@ -5,7 +5,6 @@
 #include "physics/seepage/ergun.hpp"
 #include "physics/water/equation_of_state.hpp"
 #include "solver/models/seepage/arrays.hpp"
-#include "solver/passes/pressure.hpp"
 #include "solver/passes/sweep.hpp"
 
 // The bed as a mixture: grains and pore water are two sets of particles in the same places (docs/theory.md, "Seepage:
@@ -35,29 +34,31 @@ HOST_DEVICE inline bool is_loose(float porosity, const Scene<Dim>& scene) {
 /// not compress; their excess is that of the packing, and carries load in compression only.
 template <int Dim>
 struct MixtureStatePass {
-  using reads = DampedState::reads::With<field::place, field::mass>;
-  using writes = DampedState::writes::With<field::place, field::flow, field::pores>;
+  using reads = Reads<field::place, field::matter, field::mass, field::rates, field::dissipation>;
+  using writes = Writes<field::place, field::flow, field::matter, field::pores>;
 
-  DampedState damped;
+  Record* records;
   const float* mass;
+  const Rates* rates;
+  const float* dissipation;  // nullptr without artificial viscosity
   PoreState* pores;
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
-    Record& r = damped.records[i];
+    Record& r = records[i];
     pores[i] = {1, 0};
-    const float rate = damped.take(i);
+    if (dissipation != nullptr) r.dissipation = dissipation[i];
     if (r.volume == 0) return;
     if (is_sediment(r)) {
       r.volume = mass[i] / scene.sediment_density;
-      const float damper =
-          damper_pressure(scene.sediment_density * scene.seepage.solids_at_rest, scene.acoustic_damping, rate);
+      const float damper = damper_pressure(scene.sediment_density * scene.seepage.solids_at_rest,
+                                           scene.acoustic_damping, rates[i].excess_rate);
       const float pressure = scene.seepage.skeleton_stiffness * r.excess + damper;
       r.pressure = r.excess > 0 && pressure > 0 ? pressure : 0;
     } else {
       r.volume = mass[i] / (scene.water_density * (1 + r.excess));
       r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) +
-                   damper_pressure(scene.water_density, scene.acoustic_damping, rate);
+                   damper_pressure(scene.water_density, scene.acoustic_damping, rates[i].excess_rate);
     }
   }
 };
@@ -139,7 +140,8 @@ void apply_mixture_state(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   p.pores.resize(p.count);
   Record* records = p.record.data();
   PoreState* pores = p.pores.data();
-  on.for_each(p.fluid_count, MixtureStatePass<Dim>{damped_state(p), p.mass.data(), pores, scene});
+  on.for_each(p.fluid_count,
+              MixtureStatePass<Dim>{records, p.mass.data(), p.rates.data(), p.dissipations(), pores, scene});
   sweep(on, p, scene, p.near_sediment(), PoreSweep<Dim>{records, pores, scene});
   on.for_each(p.fluid_count, TilePass<Dim>{records, pores, scene});
 }
