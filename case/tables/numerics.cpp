@@ -20,6 +20,7 @@ Numerics numerics_at(Accuracy accuracy) {
   switch (accuracy) {
     case Accuracy::draft:
       numerics.cfl = 0.7;
+      numerics.acoustic_damper = 0.15;  // physics/water/equation_of_state.hpp
       numerics.sound_speed_factor = 7;
       break;
     case Accuracy::standard:
@@ -63,7 +64,7 @@ void Numerics::check(const Case& whole, const CheckContext& at) const {
     at.reject("numerics.acoustic_damper",
               "artificial_viscosity, density_diffusion and acoustic_damper are all 0: nothing damps sound, and the "
               "energy of waves rises",
-              "write acoustic_damper = 1");
+              "write acoustic_damper = 0.5");
   }
   if (maximum_speed == 0 && whole.domain.gravity.isZero(0)) {
     at.reject("numerics.maximum_speed", "without gravity the largest speed cannot be estimated",
