@@ -41,16 +41,18 @@ template <int Dim>
 struct ShiftSweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
   using reads = Reads<field::place, field::flow, field::matter, field::role>;
-  using writes = Writes<field::shift>;
+  using writes = Writes<field::shift, field::rates>;
   static constexpr unsigned kernel = kernel_value | kernel_gradient;
   template <class L>
   struct Sum {
     Vec<Dim, L> crowding;  // sum V [1 + e (W/W(dp))^4] grad W [1/m]
     L fullness;            // sum V F r^2 [-], -Dim inside
+    L walls;               // sum of V W over walls [-]
     GradientSum<Dim, L> velocity;
   };
 
   Record* records;
+  Rates* rates;  // the change of velocity [m/s] in place of the acceleration, which the next step finds anew
   const Role* roles;
   const StepState* state;
   Scene<Dim> scene;
@@ -64,14 +66,15 @@ struct ShiftSweep {
     const L repelling = weight * (L(1.0F) + torn * squared * squared);
     for (int k = 0; k < Dim; ++k) sum.crowding[k] += repelling * g.r[k];
     sum.fullness += weight * g.r2;
+    sum.walls += lane_select(is_wall(b), b.volume * g.W, L(0.0F));
     sum.velocity.add(b.velocity - a.velocity, g, lane_select(is_water(b), weight, L(0.0F)));
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
     Record& r = records[i];
-    for (int c = 0; c < 3; ++c) r.work[c] = 0;
+    for (int c = 0; c < 3; ++c) r.work[c] = rates[i].acceleration[c] = 0;
     const float inside = (-sum.fullness / Dim - shifting::surface_from) / shifting::surface_width;
-    if (!(inside > 0) || !is_water(r) || r.volume == 0 || !is_integrated(roles, i)) return;
+    if (sum.walls > 0.0F || !(inside > 0) || !is_water(r) || r.volume == 0 || !is_integrated(roles, i)) return;
     float gradient[Dim][Dim];
     corrected_gradient(sum.velocity, gradient);
     const auto h = static_cast<float>(scene.smoothing_length);
@@ -86,21 +89,60 @@ struct ShiftSweep {
     }
     const auto most = static_cast<float>(shifting::longest * scene.spacing / state->step.dt);
     const float part = v2 > most * most ? most / sqrtf(v2) : 1;
-    for (int k = 0; k < Dim; ++k) r.work[axis<Dim>(k)] = part * v[k];
+    const auto dt = static_cast<float>(state->step.dt);
+    for (int k = 0; k < Dim; ++k) {
+      r.work[axis<Dim>(k)] = part * v[k];
+      float change = 0;
+      for (int j = 0; j < Dim; ++j) change += gradient[k][j] * part * v[j] * dt;
+      rates[i].acceleration[axis<Dim>(k)] = change;
+    }
   }
 };
 
-/// Particle pass: moves the particles by their shifts.
+/// Momentum that the changes of velocity bring, and the mass of what is shifted.
+struct ShiftMomentum {
+  double momentum[3] = {};  // [kg m/s]
+  double mass = 0;          // [kg]
+};
+
+/// Particle pass: what one particle adds to it.
+struct ShiftMomentumPass {
+  using reads = Reads<field::shift, field::rates, field::mass>;
+  using writes = Writes<>;
+
+  const Record* records;
+  const Rates* rates;
+  const float* mass;
+
+  HOST_DEVICE static bool is_shifted(const Record& r) { return r.work[0] != 0 || r.work[1] != 0 || r.work[2] != 0; }
+
+  HOST_DEVICE ShiftMomentum operator()(Index i) const {
+    ShiftMomentum sum;
+    if (!is_shifted(records[i])) return sum;
+    sum.mass = double(mass[i]);
+    for (int c = 0; c < 3; ++c) sum.momentum[c] = sum.mass * double(rates[i].acceleration[c]);
+    return sum;
+  }
+};
+
+/// Particle pass: moves the particles by their shifts, with the velocity of the place where they come to, less what all
+/// together would gain in momentum.
 template <int Dim>
 struct ShiftPass {
-  using reads = Reads<field::place, field::flow, field::position, field::shift>;
+  using reads = Reads<field::place, field::flow, field::position, field::shift, field::rates>;
   using writes = Writes<field::place, field::flow, field::matter, field::position>;
 
   DriftPass<Dim> drift;
+  const Rates* rates;
+  const StepState* state;
 
   HOST_DEVICE void operator()(Index i) const {
-    const float* v = drift.records[i].work;
-    if (v[0] != 0 || v[1] != 0 || v[2] != 0) drift.move(i, v);
+    Record& r = drift.records[i];
+    if (!ShiftMomentumPass::is_shifted(r)) return;
+    for (int c = 0; c < 3; ++c) {
+      r.velocity[c] += rates[i].acceleration[c] - static_cast<float>(state->shift_velocity[c]);
+    }
+    drift.move(i, r.work);
   }
 };
 
@@ -111,8 +153,19 @@ void shift_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
   on.for_each(1, declare<Reads<>, Writes<>>(
                      [=] HOST_DEVICE(Index) { state->shifts = state->number % interval == 0 ? state->moves : 0; }));
   const int* const before = on.skip_unless(&state->shifts);
-  sweep(on, p, scene, p.all_fluid(), ShiftSweep<Dim>{p.record.data(), p.roles(), state, scene});
-  on.for_each(p.fluid_count, ShiftPass<Dim>{{p.record.data(), p.position.data(), scene, state, 1.0}});
+  sweep(on, p, scene, p.all_fluid(), ShiftSweep<Dim>{p.record.data(), p.rates.data(), p.roles(), state, scene});
+  on.reduce_then(
+      p.fluid_count, ShiftMomentum{}, ShiftMomentumPass{p.record.data(), p.rates.data(), p.mass.data()},
+      [] HOST_DEVICE(ShiftMomentum a, const ShiftMomentum& b) {
+        for (int c = 0; c < 3; ++c) a.momentum[c] += b.momentum[c];
+        a.mass += b.mass;
+        return a;
+      },
+      [=] HOST_DEVICE(const ShiftMomentum& sum) {
+        for (int c = 0; c < 3; ++c) state->shift_velocity[c] = sum.mass > 0 ? sum.momentum[c] / sum.mass : 0;
+      });
+  on.for_each(p.fluid_count,
+              ShiftPass<Dim>{{p.record.data(), p.position.data(), scene, state, 1.0}, p.rates.data(), state});
   on.skip_unless(before);
 }
 
