@@ -47,8 +47,11 @@ void Numerics::set_defaults(const GivenWords& given) {
 
 void Numerics::complete(const Case& whole) {
   if (shifting != Shifting::automatic) return;
-  const bool enclosed = whole.domain.gravity.isZero(0) && whole.model.sediment == SedimentModel::off;
-  shifting = enclosed ? Shifting::on : Shifting::off;
+  bool apt = whole.domain.gravity.isZero(0) && whole.model.sediment == SedimentModel::off;
+  for (const Shape& shape : whole.shapes) {
+    if (shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall) apt = false;
+  }
+  shifting = apt ? Shifting::on : Shifting::off;
 }
 
 void Numerics::check(const Case& whole, const CheckContext& at) const {
