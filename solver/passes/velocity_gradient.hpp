@@ -69,7 +69,7 @@ HOST_DEVICE inline void corrected_gradient(const GradientSum<Dim, float>& sum, f
   }
 }
 
-/// What the rheology needs of a rate of strain.
+/// The parts of a rate of strain that the rheology reads.
 struct StrainRate {
   float magnitude;  // gdot [1/s]
   float lode_sine;  // of three Lode angles [-]

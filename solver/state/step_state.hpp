@@ -58,13 +58,13 @@ struct StepState {
   double longest = INFINITY;  // [s] the step may be
   std::int64_t number = 0;    // of the step, from the start of the run on
   TimeStep step;
-  Extremes walls;                // of moving walls; squares of speed and acceleration
-  float sediment_viscosity = 0;  // [m^2/s] largest, where it is treated explicitly
-  float eddy_viscosity = 0;      // [m^2/s] largest, of the water (models/sub_particle)
-  int go = 1;                    // 0: the run has diverged
-  int moves = 1;                 // 0: the run has diverged or the viscous solve is not finished; no particle moves
+  Extremes walls;                 // of moving walls; squares of speed and acceleration
+  float sediment_viscosity = 0;   // [m^2/s] largest, where it is treated explicitly
+  float eddy_viscosity = 0;       // [m^2/s] largest, of the water (models/sub_particle)
+  int go = 1;                     // 0: the run has diverged
+  int moves = 1;                  // 0: the run has diverged or the viscous solve is not finished; no particle moves
   double shift_velocity[3] = {};  // mean change of velocity by a shift [m/s]
-  int shifts = 0;                // 1: particles are shifted at the end of the step (models/shifting)
+  int shifts = 0;                 // 1: particles are shifted at the end of the step (models/shifting)
   ViscousState viscous;
   std::int64_t capped = 0;  // particles whose viscosity was cut
   Index woken = 0;          // particles of the bed
