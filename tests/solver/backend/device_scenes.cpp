@@ -101,6 +101,8 @@ DeviceScene with(DeviceScene s, const std::string& name, void (*change)(Scene<2>
   return s;
 }
 
+void damp_sound(Scene<2>& s) { s.acoustic_damping = 0.5F * s.sound_speed * static_cast<float>(s.smoothing_length); }
+
 void feel_walls(Scene<2>& s) {
   s.needs_near_walls = true;
   s.wall_stress = {true, 1e-6F, 0.1F, 1};
@@ -123,6 +125,9 @@ std::vector<DeviceScene> device_scenes() {
           with(pushed(), "stress on moving walls", feel_walls),
           with(slump, "water that sticks to walls", [](Scene<2>& s) { s.water_sticks = s.needs_near_walls = true; }),
           with(slump, "sub-particle stress", [](Scene<2>& s) { s.sub_particle_stress = true; }),
+          with(slump, "shifting", [](Scene<2>& s) { use_shifting(s); }),
+          with(slump, "acoustic damper", damp_sound),
+          with(mixture(), "mixture with acoustic damper", damp_sound),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
             s.pores.consolidation = 1e-3F;
