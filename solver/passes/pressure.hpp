@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/water/equation_of_state.hpp"
+#include "physics/water/viscosity_switch.hpp"
 #include "solver/passes/sweep.hpp"
 
 namespace thalweg {
@@ -20,7 +21,7 @@ struct EquationOfStatePass {
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
-    if (dissipation != nullptr) r.dissipation = dissipation[i];
+    if (dissipation != nullptr) r.dissipation = is_sediment(r) ? viscosity_share_of_sediment : dissipation[i];
     if (r.volume == 0 || is_resting(r)) return;
     const float rho0 = scene.density_at_rest(r.kind);
     r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) +

@@ -4,6 +4,7 @@
 
 #include "physics/seepage/ergun.hpp"
 #include "physics/water/equation_of_state.hpp"
+#include "physics/water/viscosity_switch.hpp"
 #include "solver/models/seepage/arrays.hpp"
 #include "solver/passes/sweep.hpp"
 
@@ -47,7 +48,7 @@ struct MixtureStatePass {
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
     pores[i] = {1, 0};
-    if (dissipation != nullptr) r.dissipation = dissipation[i];
+    if (dissipation != nullptr) r.dissipation = is_sediment(r) ? viscosity_share_of_sediment : dissipation[i];
     if (r.volume == 0) return;
     if (is_sediment(r)) {
       r.volume = mass[i] / scene.sediment_density;

@@ -83,7 +83,7 @@ struct Setting {
     };
     sweep(Kept<Momentum, Real>{{p.record.data(), p.rates.data(), scene}, s.momentum.data()});
     sweep(Kept<Water, Real>{{p.record.data(), p.rates.data(), scene}, s.water.data()});
-    sweep(Kept<Strain, Real>{{{p.record.data(), p.rates.data(), scene}, p.sediment.data()}, s.strain.data()});
+    sweep(Kept<Strain, Real>{{{p.record.data(), p.rates.data(), scene}, p.sediment.data(), nullptr}, s.strain.data()});
     return s;
   }
 };

@@ -27,6 +27,7 @@ Scene<2> resting_scene() {
   scene.sediment.regularisation = 100;
   scene.sediment.consistency = 1e-3F;
   scene.sediment.submerged_weight = 1300 * 9.81F;
+  scene.acoustic_damping = 0.5F * scene.sound_speed * static_cast<float>(scene.smoothing_length);
   scene.rest = {0.04F, 0.06F, 3e-3F, 0.01F};
   return scene;
 }
