@@ -13,6 +13,8 @@ namespace thalweg {
 /// smoothing_ratio in plane scenes of water alone. It costs nothing there: twice the neighbours, three quarters of the
 /// steps. A standing wave loses half as much, and an impact rings half as loud (docs/speed-against-error.md).
 constexpr double smoothing_ratio_of_plane_water = 2;
+/// artificial_viscosity there. With such a kernel it is switched (physics/water/viscosity_switch.hpp).
+constexpr double switched_viscosity = 0.1;
 
 Numerics numerics_at(Accuracy accuracy) {
   Numerics numerics;
@@ -42,7 +44,10 @@ void Numerics::set_defaults(const GivenWords& given) {
   if (const auto level = given.choice<Accuracy>("numerics.accuracy")) *this = numerics_at(*level);
   const bool has_sediment = given.text("model.sediment", "off") != "off";
   const bool in_space = given.text("case.dimension", "2") != "2";
-  if (!has_sediment && !in_space) smoothing_ratio = smoothing_ratio_of_plane_water;
+  if (!has_sediment && !in_space) {
+    smoothing_ratio = smoothing_ratio_of_plane_water;
+    artificial_viscosity = switched_viscosity;
+  }
 }
 
 void Numerics::complete(const Case& whole) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "physics/water/equation_of_state.hpp"
-#include "physics/water/viscosity_switch.hpp"
 #include "solver/passes/sweep.hpp"
 
 namespace thalweg {
@@ -16,12 +15,12 @@ struct EquationOfStatePass {
   Record* records;
   const float* mass;
   const Rates* rates;
-  const float* dissipation;  // nullptr without artificial viscosity
+  const float* dissipation;  // nullptr where all of the artificial viscosity acts
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
-    if (dissipation != nullptr) r.dissipation = is_sediment(r) ? viscosity_share_of_sediment : dissipation[i];
+    r.dissipation = dissipation != nullptr ? dissipation[i] : 1;
     if (r.volume == 0 || is_resting(r)) return;
     const float rho0 = scene.density_at_rest(r.kind);
     r.pressure = tait_pressure(r.excess, scene.stiffness(r.kind)) +

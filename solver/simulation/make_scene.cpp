@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "physics/water/viscosity_switch.hpp"
 #include "solver/models/make.hpp"
 
 namespace thalweg {
@@ -97,6 +98,7 @@ void make_flow(const Case& from, const ParticleSet& particles, double sound_spee
   s.sediment_density = s.water_density;
   s.diffusion = static_cast<float>(2 * n.density_diffusion * h * sound_speed);
   s.artificial_viscosity = static_cast<float>(n.artificial_viscosity * sound_speed * h);
+  s.viscosity_switch = n.artificial_viscosity > 0 && n.smoothing_ratio >= least_ratio_of_viscosity_switch;
   s.acoustic_damping = static_cast<float>(n.acoustic_damper * sound_speed * h);
   s.cfl = n.cfl;
   s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;

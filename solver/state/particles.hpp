@@ -43,7 +43,7 @@ struct ParticleCore {
   Buffer<std::int64_t> id;
   Buffer<std::uint8_t> type;
   Buffer<Rates> rates;
-  Buffer<float> dissipation;  // share of the artificial viscosity that acts on water [-]; empty without that viscosity
+  Buffer<float> dissipation;  // share of the artificial viscosity that acts [-]; empty without its switch
   Buffer<Role> role;          // empty unless particles are born or die (domain/population.hpp)
 
   // Neighbour lists and the places they were built for.
@@ -79,13 +79,13 @@ struct ParticleCore {
     v.array(field::id, id, sorted, std::int64_t{0});
     v.array(field::type, type, sorted, std::uint8_t{0});
     v.array(field::rates, rates, sorted | checkpointed, Rates{});
-    if (scene.artificial_viscosity > 0) v.array(field::dissipation, dissipation, sorted | checkpointed, 1.0F);
+    if (scene.viscosity_switch) v.array(field::dissipation, dissipation, sorted | checkpointed, 1.0F);
     if (!role.empty()) v.array(field::role, role, sorted | checkpointed, Role::integrated);
   }
 
   /// nullptr where all particles are integrated.
   [[nodiscard]] const Role* roles() const { return role.size() == 0 ? nullptr : role.data(); }
-  /// nullptr where the scene has no artificial viscosity.
+  /// nullptr where all of the artificial viscosity acts.
   [[nodiscard]] float* dissipations() { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] const float* dissipations() const { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] ClusterList list() const {

@@ -30,6 +30,7 @@ struct FlowScene {
   float water_viscosity = 0;       // [Pa s]
   float diffusion = 0;             // 2 delta h c [m^2/s]
   float artificial_viscosity = 0;  // alpha c h [m^2/s]
+  bool viscosity_switch = false;   // the artificial viscosity acts in compression and disorder only
   float acoustic_damping = 0;      // a c h [m^2/s]
   double cfl = 0;
   bool has_sediment = false;

@@ -43,7 +43,7 @@ Scene<Dim> make_scene_of(const LatticeSetup<Dim>& setup) {
   s.sediment_density = 1300;
   s.water_viscosity = 1e-3F;
   s.diffusion = static_cast<float>(2 * 0.1 * h * setup.sound_speed);
-  s.artificial_viscosity = static_cast<float>(0.1 * h * setup.sound_speed);
+  s.artificial_viscosity = static_cast<float>(0.02 * h * setup.sound_speed);
   s.cfl = 0.35;
   s.viscous_tolerance = 1e-5;
   return s;

@@ -33,7 +33,7 @@ struct ContinuityAndStrainSweep {
 
   ContinuitySweep<Dim> continuity;
   Sediment* sediment;
-  float* dissipation;  // nullptr without artificial viscosity
+  float* dissipation;  // nullptr without the switch of the artificial viscosity
 
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {

@@ -4,7 +4,6 @@
 
 #include "physics/seepage/ergun.hpp"
 #include "physics/water/equation_of_state.hpp"
-#include "physics/water/viscosity_switch.hpp"
 #include "solver/models/seepage/arrays.hpp"
 #include "solver/passes/sweep.hpp"
 
@@ -41,14 +40,14 @@ struct MixtureStatePass {
   Record* records;
   const float* mass;
   const Rates* rates;
-  const float* dissipation;  // nullptr without artificial viscosity
+  const float* dissipation;  // nullptr where all of the artificial viscosity acts
   PoreState* pores;
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
     pores[i] = {1, 0};
-    if (dissipation != nullptr) r.dissipation = is_sediment(r) ? viscosity_share_of_sediment : dissipation[i];
+    r.dissipation = dissipation != nullptr ? dissipation[i] : 1;
     if (r.volume == 0) return;
     if (is_sediment(r)) {
       r.volume = mass[i] / scene.sediment_density;
