@@ -62,9 +62,9 @@ TEST(Piston, RaisesTheLevelByTheVolumeItTakes) {
   }
   height /= count;
   // Compression lowers it by less than 0.1 %; the particles of floor and surface stand some hundredths of the spacing,
-  // up to 0.5 % of the depth, off a lattice's half.
+  // 0.6 % of the depth with h = 2 dp, off a lattice's half.
   std::cout << "level " << 2 * height << " m, by volume " << depth << " m\n";
-  EXPECT_NEAR(2 * height, depth, 0.005 * depth);
+  EXPECT_NEAR(2 * height, depth, 0.0075 * depth);
 }
 
 TEST(AcceleratedTank, SwingsAboutTheSurfaceSquareToGravityLessAcceleration) {
@@ -81,7 +81,8 @@ TEST(AcceleratedTank, SwingsAboutTheSurfaceSquareToGravityLessAcceleration) {
     if (e.time > 2 * period) break;
     const ParticleSet now = read_particles(run->folder().root / e.file);
     const Extent tank = extent_x(now, ParticleType::moving_wall);
-    EXPECT_NEAR(tank.low, -0.0125 + 0.5 * a * e.time * e.time, 0.003) << e.time;
+    // The walls are as thick as the support, four rows; their outermost particles stand 3.5 spacings outside.
+    EXPECT_NEAR(tank.low, -0.0175 + 0.5 * a * e.time * e.time, 0.003) << e.time;
     const double offset = center_of_water(now).x() - 0.5 * (tank.low + tank.high);
     sum += offset, count += 1;
     least = std::min(least, offset);
