@@ -27,6 +27,16 @@ HOST_DEVICE inline Real held_share(Real bed_share) {
   return s < 0 ? 0 : s > 1 ? 1 : s;
 }
 
+/// Share of the above that acts where the pressures of bed and water differ [-]: none within the band of exchange_rate(),
+/// all from twice the band on. A bed in balance with its water takes the plain sum, whose work the density pays: without
+/// this the exchange, which follows the water's pressure late, pumped the sound of still water over a bed up to 10 % of
+/// its pressure in 2 s. difference and band as below [Pa].
+template <class Real>
+HOST_DEVICE inline Real share_out_of_balance(Real difference, Real band) {
+  const Real beyond = (difference < 0 ? -difference : difference) - band;
+  return beyond <= 0 ? 0 : beyond >= band ? 1 : beyond / band;
+}
+
 /// Rate of the density excess [1/s] that leads the pressure p of sediment to the pressure P of the water over it,
 ///   R = 0.1 min(1, 4 S) m/(rho_s c h),   m = P - p without its part within +-band
 /// P = sum_w V W [p_w + (rho_w + rho_s)/2 g.r]/S, S = sum_w V W over the water. Halfway between a row of sediment and one

@@ -49,6 +49,13 @@ TEST(ExchangeRate, LeadsToThePressureOfTheWaterBeyondASpacingsWeight) {
   EXPECT_NEAR(m / 1000, std::exp(-1), 2e-3);
 }
 
+TEST(ShareOutOfBalance, LeavesABedInBalanceToThePlainSum) {
+  EXPECT_EQ(share_out_of_balance(-14.0F, 14.5F), 0);
+  EXPECT_FLOAT_EQ(share_out_of_balance(21.75F, 14.5F), 0.5F);
+  EXPECT_EQ(share_out_of_balance(-100.0F, 14.5F), 1);
+  EXPECT_EQ(share_out_of_balance(0.0F, 0.0F), 0);  // phases of one density
+}
+
 TEST(HeldShare, LetsFlyingGrainsBe) {
   EXPECT_EQ(held_share(0.0F), 0);
   EXPECT_FLOAT_EQ(held_share(0.25F), 0.5F);

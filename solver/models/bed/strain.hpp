@@ -71,7 +71,8 @@ struct ContinuityAndStrainSweep {
     if (under_water) {
       const float own = compression - sum.by_water;
       held = held_share(sum.bed_share - r.volume * scene.kernel.value(1.0F));
-      compression = own + held * compression_by_water(own, sum.by_water) + (1 - held) * sum.by_water;
+      const float apart = held * share_out_of_balance(pressure_difference(r, sum), pressure_band());
+      compression = own + apart * compression_by_water(own, sum.by_water) + (1 - apart) * sum.by_water;
     }
     continuity.end(i, compression, sum.diffusion);
     if (under_water && !is_resting(r)) continuity.rates[i].excess_rate += held * exchange(r, sum);
@@ -84,15 +85,24 @@ struct ContinuityAndStrainSweep {
     sediment[i].lode_sine = strain.lode_sine;
   }
 
-  /// The rate at which sediment takes over the water's pressure [1/s].
-  HOST_DEVICE float exchange(const Record& r, const Sum<float>& sum) const {
+  /// The pressure of the water over a particle less its own [Pa].
+  HOST_DEVICE static float pressure_difference(const Record& r, const Sum<float>& sum) {
+    return sum.water_pressure / sum.water_share - r.pressure;
+  }
+
+  /// What a spacing more or less of either makes [Pa].
+  [[nodiscard]] HOST_DEVICE float pressure_band() const {
     const Scene<Dim>& scene = continuity.scene;
     float g2 = 0;
     for (int k = 0; k < Dim; ++k) g2 += scene.gravity[k] * scene.gravity[k];
-    const float band =
-        fabsf(scene.sediment_density - scene.water_density) * sqrtf(g2) * static_cast<float>(scene.spacing);
+    return fabsf(scene.sediment_density - scene.water_density) * sqrtf(g2) * static_cast<float>(scene.spacing);
+  }
+
+  /// The rate at which sediment takes over the water's pressure [1/s].
+  HOST_DEVICE float exchange(const Record& r, const Sum<float>& sum) const {
+    const Scene<Dim>& scene = continuity.scene;
     const float impedance = scene.sediment_density * scene.sound_speed * static_cast<float>(scene.smoothing_length);
-    return exchange_rate(sum.water_pressure / sum.water_share - r.pressure, band, sum.water_share, impedance);
+    return exchange_rate(pressure_difference(r, sum), pressure_band(), sum.water_share, impedance);
   }
 
   /// The wall's part of the gradient counts f' times: (f' - 1) U (x) sum k r, U the mean velocity of a less its walls'.
