@@ -45,7 +45,7 @@ void announce_choices(const Case& of) {
   announce("numerics.precision", of.numerics.precision, Numerics{}.precision);
   announce("model.turbulence", of.model.turbulence, Model{}.turbulence);
   announce("model.wall_friction", of.model.wall_friction, Model{}.wall_friction);
-  announce("numerics.shifting", of.numerics.shifting, Numerics{}.shifting);
+  announce("numerics.shifting", of.numerics.shifting, Shifting::off);
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
 }

@@ -71,6 +71,7 @@ struct Setting {
     scene.has_sediment = true;
     load_particles(on, p, scene, uneven_bed(scene));
     rebuild_lists(on, p, scene);
+    for (Index i = 0; i < p.count; ++i) p.record.data()[i].dissipation = 0.25F * static_cast<float>(1 + i % 4);
   }
 
   Sums<Real> sums() {
@@ -123,7 +124,8 @@ Reference plain_sums(const Record* records, Index count, const Scene<dim>& scene
     const bool same = same_phase(a, b);
     const double rho0 = is_sediment(a) ? scene.sediment_density : scene.water_density;
     const double approach = std::min(u_dot_r, 0.0) / (r2 + double(scene.singularity));
-    const double pi = same ? -rho0 * double(scene.artificial_viscosity) * approach : 0;
+    const double acting = (double(a.dissipation) + double(b.dissipation)) / 2;
+    const double pi = same ? -rho0 * acting * double(scene.artificial_viscosity) * approach : 0;
     const double eta = same && is_water(a) ? double(scene.water_viscosity) : 0;
     total.force.add(-V * F * (double(a.pressure) + double(b.pressure) + pi) * r[2] + V * F * 2 * eta * u[2]);
     total.compression.add(V * F * u_dot_r);
