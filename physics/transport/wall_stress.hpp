@@ -35,15 +35,15 @@ HOST_DEVICE inline Real wall_friction_velocity(Real U, Real mean, Real z, Real v
   if (!(U > 0)) return 0;
   constexpr int most_rounds = 12;
   const Real laminar = std::sqrt(U * viscosity / mean);
-  const Real kappa_U = Real(0.41) * U;
+  const Real slowest = Real(0.41) * U;
   const Real rough = Real(0.033) * roughness;
-  Real turbulent = kappa_U;
+  Real turbulent = slowest;
   for (int round = 0; round < most_rounds; ++round) {
     const Real smooth = Real(0.11) * viscosity / turbulent;
     const Real origin = smooth + rough;
     const Real logarithm = std::log(z / origin);
     if (logarithm <= 1) break;
-    const Real change = (turbulent * logarithm - kappa_U) / (logarithm + smooth / origin);
+    const Real change = (turbulent * logarithm - slowest) / (logarithm + smooth / origin);
     turbulent -= change;
     if (change < Real(1e-6) * turbulent) break;
   }

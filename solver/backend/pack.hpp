@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -142,7 +143,7 @@ struct Hits {
     std::uint64_t found = 0;
     for (int l = 0; l < W; l += 8) {
       std::uint64_t eight = 0;
-      __builtin_memcpy(&eight, flags + first + l, W < 8 ? W : 8);
+      __builtin_memcpy(&eight, flags + first + l, std::min<std::size_t>(W, 8));
       // Bit k of the eight becomes byte k: moved there, each beside the others, then all ones or none.
       const std::uint64_t apart = ((bits >> l & 0xffU) * bytes) & 0x8040201008040201;
       const std::uint64_t ones = (apart + 0x7f * bytes) | apart;

@@ -160,7 +160,8 @@ struct GroupSearch {
         high = std::max(high, d);
       }
       frame.middle[k] = lane_difference(place(first, k), static_cast<std::int32_t>(-(low + high) / 2));
-      frame.half[k] = rounding * static_cast<float>((high - low + 2) / 2) * search.lattice.quantum[k];
+      const auto half = (high - low + 2) / 2;
+      frame.half[k] = rounding * static_cast<float>(half) * search.lattice.quantum[k];
     }
     return frame;
   }

@@ -9,6 +9,7 @@
 
 #include "common/error.hpp"
 #include "common/particles.hpp"
+#include "solver/backend/buffer.hpp"
 #include "solver/models/moving_walls/arrays.hpp"
 #include "solver/models/wall_stress/arrays.hpp"
 #include "solver/state/scene.hpp"
