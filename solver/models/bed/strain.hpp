@@ -90,7 +90,7 @@ struct ContinuityAndStrainSweep {
     return sum.water_pressure / sum.water_share - r.pressure;
   }
 
-  /// What a spacing more or less of either makes [Pa].
+  /// The pressure that a spacing more or less of either makes [Pa].
   [[nodiscard]] HOST_DEVICE float pressure_band() const {
     const Scene<Dim>& scene = continuity.scene;
     float g2 = 0;
