@@ -29,7 +29,7 @@ HOST_DEVICE inline Real tait_excess(Real pressure, Real stiffness) {
 /// Pressure [Pa] of the acoustic damper, a bulk viscosity that acts on sound alone:
 ///   p_d = a rho0 c h d',   d' the rate of the density excess
 /// Flow that keeps its volume has d' = 0, shear as well as strain: there the damper takes nothing. Of a standing sound
-/// wave of wave number k the share exp(-a c h k^2 t/2) is left; one four smoothing lengths long falls to 1/e in 0.8 h/c.
+/// wave of wave number k the share exp(-a c h k^2 t/2) is left; one four smoothing lengths long falls to 1/e in 0.8 h/(a c).
 /// a [-]; density_at_rest rho0 [kg/m^3]; damping = a c h [m^2/s]; excess_rate d' [1/s].
 /// Limit: it is explicit in time. A mode whose div grad is (g/h)^2 is stable for C a g^2/2 + C^2 g^2/4 < 1, C the acoustic
 /// Courant number. On the lattice g is about 1, which is stable for a = 1 up to C = 0.8. But g may come up to
