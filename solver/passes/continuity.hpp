@@ -10,8 +10,7 @@ namespace thalweg {
 template <int Dim, class LaneT, class Same, class L>
 HOST_DEVICE inline L pair_diffusion(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, const L& weight,
                                     const Same& same, const Scene<Dim>& scene) {
-  L g_dot_r = g.r[0] * L(scene.gravity[0]);
-  for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + g.r[k] * L(scene.gravity[k]);
+  const L g_dot_r = gravity_dot(scene, g.r);
   const L per_c2(1 / (scene.sound_speed * scene.sound_speed));
   return lane_select(same, density_diffusion(a.excess, b.excess, g_dot_r * per_c2, weight), L(0.0F));
 }

@@ -54,8 +54,7 @@ struct ExtrapolatedPressureSweep {
   HOST_DEVICE void pair(const LaneT&, const LaneT& f, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     const L moving = lane_select(is_resting(f), L(0.0F), f.volume);
     const L weight = lane_select(is_wall(f), L(0.0F), moving * g.W);
-    L g_dot_r = g.r[0] * L(scene.gravity[0]);
-    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + g.r[k] * L(scene.gravity[k]);
+    const L g_dot_r = gravity_dot(scene, g.r);
     const L rho0 = lane_select(is_sediment(f), L(scene.sediment_density), L(scene.water_density));
     sum.weight += weight;
     sum.pressure += weight * (f.pressure + rho0 * (L(1.0F) + f.excess) * g_dot_r);

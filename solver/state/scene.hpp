@@ -46,6 +46,14 @@ struct FlowScene {
   [[nodiscard]] PairMetric<Dim> metric() const { return {lattice.quantum, kernel}; }
 };
 
+/// g . r [m^2/s^2], of numbers or of packs.
+template <int Dim, class L>
+HOST_DEVICE inline L gravity_dot(const FlowScene<Dim>& scene, const Vec<Dim, L>& r) {
+  L sum = r[0] * L(scene.gravity[0]);
+  for (int k = 1; k < Dim; ++k) sum = sum + r[k] * L(scene.gravity[k]);
+  return sum;
+}
+
 /// A scene: FlowScene with the parameters of every model (models/all.hpp). Passed by value to a device.
 template <int Dim>
 struct Scene;

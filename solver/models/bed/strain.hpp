@@ -43,8 +43,7 @@ struct ContinuityAndStrainSweep {
     add_velocity(b, u, g, weight, sum);
     const auto b_water = is_water(b);
     const Scene<Dim>& scene = continuity.scene;
-    L g_dot_r = g.r[0] * L(scene.gravity[0]);
-    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + g.r[k] * L(scene.gravity[k]);
+    const L g_dot_r = gravity_dot(scene, g.r);
     const L value = b.volume * g.W;
     const L share = lane_select(b_water, value, L(0.0F));
     sum.bed_share += value - share;

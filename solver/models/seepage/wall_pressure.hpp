@@ -29,8 +29,7 @@ struct MixtureWallSweep {
     const L weight = f.volume * g.W;
     const L of_grain = lane_select(is_sediment(f), weight, L(0.0F));
     const L of_water = weight - of_grain;
-    L g_dot_r = g.r[0] * L(scene.gravity[0]);
-    for (int k = 1; k < Dim; ++k) g_dot_r = g_dot_r + g.r[k] * L(scene.gravity[k]);
+    const L g_dot_r = gravity_dot(scene, g.r);
     sum.water += of_water;
     sum.pressure += of_water * (f.pressure + L(scene.water_density) * (L(1.0F) + f.excess) * g_dot_r);
     sum.grains += of_grain;
