@@ -59,7 +59,8 @@ struct WallElementSweep {
     Record& wall = records[i];
     for (float& w : wall.work) w = 0;
     const WallElement& element = elements[i];
-    if (!(element.area > 0 && sum.water > 0 && wall.volume > 0)) return;
+    // Water at the kernel's very edge: its weights may be 1e-30, whose products and quotients single precision cannot hold.
+    if (!(element.area > 0 && sum.water > 1e-6F && wall.volume > 0)) return;
     const Vec<Dim, float> n = normal(i);
     Vec<Dim, float> u{};
     for (int k = 0; k < Dim; ++k) u[k] = sum.velocity[k] / sum.water - wall.velocity[axis<Dim>(k)];
