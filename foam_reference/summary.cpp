@@ -37,6 +37,10 @@ void write_rheology(Summary& summary, const StockRheology& rheology) {
 
 std::string source_of(BedLoad law) {
   switch (law) {
+    case BedLoad::wong_parker:
+      return "Wong & Parker 2006";
+    case BedLoad::engelund_fredsoe:
+      return "Engelund & Fredsoe 1976";
     case BedLoad::van_rijn:
       return "van Rijn 1984";
     case BedLoad::meyer_peter_mueller:

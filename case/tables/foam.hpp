@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "case/models/bed_load.hpp"
 #include "case/tables/table.hpp"
-#include "physics/transport/bed_load.hpp"
 #include "physics/transport/pick_up.hpp"
 
 namespace thalweg {
@@ -16,12 +16,8 @@ inline constexpr std::array<const char*, 3> mesh_model_names{"same-material", "e
 enum class FoamTurbulence { laminar, smagorinsky };
 
 inline constexpr std::array<Choice<FoamTurbulence>, 2> choices(FoamTurbulence) {
-  return {{{FoamTurbulence::laminar, "laminar", "none, as in the particle model"},
+  return {{{FoamTurbulence::laminar, "laminar", "none"},
            {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"}}};
-}
-inline constexpr std::array<Choice<BedLoad>, 2> choices(BedLoad) {
-  return {{{BedLoad::meyer_peter_mueller, "meyer-peter-mueller", "8 (theta - theta_cr)^1.5"},
-           {BedLoad::van_rijn, "van-rijn", "0.053 (theta/theta_cr - 1)^2.1 / d*^0.3, for sands"}}};
 }
 inline constexpr std::array<Choice<PickUp>, 2> choices(PickUp) {
   return {{{PickUp::mastbergen, "mastbergen", "the lift velocity of Mastbergen & van den Berg"},

@@ -63,6 +63,10 @@ inline const char* dictionary_word(Rheology choice) {
 
 inline const char* dictionary_word(BedLoad choice) {
   switch (choice) {
+    case BedLoad::wong_parker:
+      return "wongParker";
+    case BedLoad::engelund_fredsoe:
+      return "engelundFredsoe";
     case BedLoad::van_rijn:
       return "vanRijn";
     case BedLoad::meyer_peter_mueller:

@@ -26,7 +26,8 @@ using thalweg::foam::dictionary_choices;
 
 constexpr double far = std::numeric_limits<double>::max();
 
-const auto bed_loads = dictionary_choices(BedLoad::meyer_peter_mueller, BedLoad::van_rijn);
+const auto bed_loads = dictionary_choices(BedLoad::meyer_peter_mueller, BedLoad::wong_parker, BedLoad::engelund_fredsoe,
+                                          BedLoad::van_rijn);
 const auto pick_ups = dictionary_choices(PickUp::mastbergen, PickUp::van_rijn);
 
 std::size_t at(int column) { return static_cast<std::size_t>(column); }

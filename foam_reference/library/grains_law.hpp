@@ -79,13 +79,7 @@ inline double critical_on_slope(const Grains& of, const BedStress& stress, doubl
 inline double bed_load(const Grains& of, const BedStress& stress, double critical) {
   if (!(stress.shields > critical)) return 0;
   const double scale = bed_load_scale(of.diameter, of.density, of.water_density, of.gravity);
-  switch (of.bed_load) {
-    case BedLoad::van_rijn:
-      return scale * van_rijn_bed_load(stress.shields, critical, of.size_number());
-    case BedLoad::meyer_peter_mueller:
-      break;
-  }
-  return scale * meyer_peter_mueller(stress.shields, critical);
+  return scale * thalweg::bed_load(of.bed_load, stress.shields, critical, of.size_number());
 }
 
 /// Volume of grains that rise from the bed per second and area [m/s].

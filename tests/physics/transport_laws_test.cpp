@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/transport/bed_load.hpp"
+#include "physics/transport/bed_load_drift.hpp"
 #include "physics/transport/lift_settling.hpp"
 #include "physics/transport/pick_up.hpp"
 
@@ -22,6 +23,42 @@ TEST(BedLoad, FollowsMeyerPeterAndMueller) {
   EXPECT_NEAR(meyer_peter_mueller(0.4F, 0.047F), 1.677846F, 1e-5F);
   EXPECT_NEAR(meyer_peter_mueller(0.447, 0.047) / meyer_peter_mueller(0.147, 0.047), 8, 1e-9);  // 4^1.5
 }
+
+// 3.97 * 0.3505^1.5 = 3.97 * 0.207508 = 0.823801
+TEST(BedLoad, FollowsWongAndParker) {
+  EXPECT_NEAR(wong_parker(0.4, 0.0495), 0.823801, 1e-6);
+  EXPECT_EQ(wong_parker(0.0495, 0.0495), 0);
+}
+
+// (pi/6) 0.51/0.35 = 0.762967, p = 1.338863^(-1/4) = 0.929645; 5 p (0.632456 - 0.156525) = 2.212234
+TEST(BedLoad, FollowsEngelundAndFredsoe) {
+  EXPECT_NEAR(engelund_fredsoe(0.4, 0.05), 2.212234, 1e-5);
+  EXPECT_EQ(engelund_fredsoe(0.05, 0.05), 0);
+  EXPECT_GT(engelund_fredsoe(0.0501, 0.05), 0);
+}
+
+TEST(BedLoad, IsThatOfTheLawChosen) {
+  EXPECT_EQ(bed_load(BedLoad::meyer_peter_mueller, 0.4, 0.05, 61.01), meyer_peter_mueller(0.4, 0.05));
+  EXPECT_EQ(bed_load(BedLoad::wong_parker, 0.4, 0.05, 61.01), wong_parker(0.4, 0.05));
+  EXPECT_EQ(bed_load(BedLoad::engelund_fredsoe, 0.4, 0.05, 61.01), engelund_fredsoe(0.4, 0.05));
+  EXPECT_EQ(bed_load(BedLoad::van_rijn, 0.4, 0.05, 61.01), van_rijn_bed_load(0.4, 0.05, 61.01));
+}
+
+TEST(BedLoadDrift, CarriesTheFluxInALayerOfOneSpacing) {
+  // 6e-5 m^2/s in (1 - 0.4) 5 mm: 0.02 m/s; never faster than the water.
+  EXPECT_NEAR(bed_load_drift(6e-5, 0.6 * 0.005, 1.0), 0.02, 1e-12);
+  EXPECT_EQ(bed_load_drift(6e-5, 0.6 * 0.005, 0.01), 0.01);
+}
+
+TEST(BedLoadDrift, IsHalfUpTheAngleOfReposeAndThreefoldDownTwoThirdsOfIt) {
+  EXPECT_EQ(bed_load_slope_factor(0.0, 0.625), 1);
+  EXPECT_EQ(bed_load_slope_factor(0.625, 0.625), 0.5);
+  EXPECT_NEAR(bed_load_slope_factor(-0.5 * 0.625, 0.625), 2, 1e-12);
+  EXPECT_NEAR(bed_load_slope_factor(-2.0, 0.625), 1 / 0.33, 1e-12);  // held there
+}
+
+// 1.5 sqrt(1/4)
+TEST(BedLoadDrift, LeansDownASlopeAcrossTheFlow) { EXPECT_EQ(transverse_slope(0.25), 0.75); }
 
 // 0.053 * 7^2.1/61.01^0.3 = 0.053 * 59.5259/3.4326 = 0.919097
 TEST(BedLoad, FollowsVanRijn) {
