@@ -11,6 +11,7 @@ GivenWords given_words(const toml::table& root, const std::filesystem::path& fol
       std::string text;
       if (const auto* word = value.as_string()) text = word->get();
       if (const auto* number = value.as_integer()) text = std::to_string(number->get());
+      if (const auto* number = value.as_floating_point()) text = fmt::format("{}", number->get());
       if (text.empty()) continue;
       given.words[fmt::format("{}.{}", table_name.str(), key.str())] = {text, where_is(value, origins.file)};
     }

@@ -9,7 +9,7 @@
 
 namespace thalweg {
 
-/// The texts and whole numbers of a case file, for tables whose defaults follow from one of them (set_defaults).
+/// The texts and numbers of a case file, for tables whose defaults follow from one of them (set_defaults).
 struct GivenWords {
   struct Word {
     std::string text;

@@ -217,6 +217,18 @@ TEST(Accuracy, SetsDefaultsThatTheCaseMayStillChange) {
   EXPECT_GT(fine.sound_speed_factor, usual.sound_speed_factor);
 }
 
+/// A case of water alone in the plane, whose numerics are the defaults.
+constexpr const char* plane_water = THALWEG_SOURCE_DIR "/bench/speed_vs_error/scenes/standing_wave";
+
+TEST(CaseFile, SwitchesTheArtificialViscosityOfWideKernelsOnly) {
+  const Numerics usual = read_case(plane_water, {}).numerics;
+  EXPECT_EQ(usual.smoothing_ratio, 2);
+  EXPECT_EQ(usual.artificial_viscosity, 0.1);
+  // Without the switch all of 0.1 would act: a standing wave would lose 30 % a period.
+  EXPECT_EQ(read_case(plane_water, {"numerics.smoothing_ratio=1.5"}).numerics.artificial_viscosity, 0.02);
+  EXPECT_EQ(read_case(plane_water, {"numerics.smoothing_ratio=2.2"}).numerics.artificial_viscosity, 0.1);
+}
+
 TEST(Accuracy, ComesTooLateForAResolvedCase) {
   const fs::path file = own_folder() / "case.resolved.toml";
   write_case(file, read_case(good_case, {"numerics.accuracy=draft"}));
