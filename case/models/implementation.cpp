@@ -13,14 +13,15 @@
 namespace thalweg {
 namespace {
 
-/// One row of the differences between the two readings.
+/// One row of the differences: the paper as printed, the paper consistent with itself, and ours.
 struct Reading {
   std::string subject;
   std::string paper;
   std::string consistent;
+  std::string law = "as consistent";
 };
 
-std::array<Reading, 9> readings() {
+std::array<Reading, 10> readings() {
   const SedimentParameters s;
   return {{
       {"yield coefficient K", "2 sin(phi)/(sqrt3 (3 - sin(phi))), the coefficient of I1 used on p: 0.298 at 38 deg",
@@ -28,12 +29,18 @@ std::array<Reading, 9> readings() {
       {"yielded sediment", "consistency 1.54 Pa s^n, flow index 1.8: a syrup, which hides the erosion law",
        "consistency 1.5e-3 Pa s, flow index 1: a light slurry, which lets it act"},
       {"bed shear stress", "rho (kappa du/2)^2, du summed over the water without dividing by its share",
-       "rho u*^2 by the logarithmic law from the mean of the water in reach (model.bed_shear)"},
+       "rho u*^2 by the logarithmic law from the mean of the water in reach (model.bed_shear)",
+       "as consistent, with the roughness z0 that knows no steps and the mean height of the logarithm; its reaction "
+       "drags "
+       "the water"},
+      {"bed load", "a fluid that yields at the stress which moves its grains", "the same",
+       "a drift of the surface over the bed below it, at the rate of model.bed_load whatever the spacing"},
       {"bed surface",
        fmt::format("sediment-only density sum below 1250 of 1540 kg/m^3, {} of a full bed", surface_fill_as_printed),
        fmt::format("below {} ({} for smoothing_ratio > {}); grains that move have to be buried by {} more",
                    surface_fill_narrow, surface_fill_wide, widest_narrow_kernel_of_states, surface_fill_hysteresis)},
-      {"deposit to bed load", "shear stress above the critical one of the slope", "the same"},
+      {"deposit to bed load", "shear stress above the critical one of the slope", "the same",
+       "the same, cohesion added to the critical stress"},
       {"bed load to deposit", "none: bed load never consolidates",
        fmt::format("buried; or below {} of the critical stress and slower than {} sqrt(g d) for sqrt(d/g)",
                    s.deposition_stress, s.deposition_speed)},
@@ -57,7 +64,8 @@ std::array<Reading, 9> readings() {
 void explain_implementations(std::ostream& to) {
   fmt::print(to, "What model.implementation changes (docs/theory.md, \"Three states\"):\n");
   for (const Reading& r : readings()) {
-    fmt::print(to, "  {}\n    paper:      {}\n    consistent: {}\n", r.subject, r.paper, r.consistent);
+    fmt::print(to, "  {}\n    paper:      {}\n    consistent: {}\n    law:        {}\n", r.subject, r.paper,
+               r.consistent, r.law);
   }
 }
 

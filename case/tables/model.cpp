@@ -10,7 +10,8 @@
 namespace thalweg {
 
 void Model::set_defaults(const GivenWords& given) {
-  switch (given.choice<Implementation>("model.implementation").value_or(Implementation::consistent)) {
+  switch (given.choice<Implementation>("model.implementation").value_or(Implementation::law)) {
+    case Implementation::law:
     case Implementation::consistent:
       return;
     case Implementation::paper:

@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <string_view>
 
+#include "case/models/bed_load.hpp"
 #include "case/models/bed_strength.hpp"
 #include "case/models/implementation.hpp"
 #include "case/models/mixture.hpp"
@@ -20,12 +21,13 @@ struct Model {
   static constexpr TableHeading heading{"model", "What the scene needs; off unless named."};
 
   SedimentModel sediment = SedimentModel::off;
-  Implementation implementation = Implementation::consistent;
+  Implementation implementation = Implementation::law;
   EffectivePressure effective_pressure = EffectivePressure::column;
   YieldCriterion yield = YieldCriterion::drucker_prager;
   YieldFit yield_fit = YieldFit::sine;
   Rheology rheology = Rheology::herschel_bulkley;
   BedShear bed_shear = BedShear::log_law;
+  BedLoad bed_load = BedLoad::meyer_peter_mueller;
   bool rest = true;
   WallFriction wall_friction = WallFriction::none;
   Turbulence turbulence = Turbulence::off;
@@ -37,8 +39,8 @@ struct Model {
     v.choice("sediment", sediment, "How sediment moves.");
     v.choice(
         "implementation", implementation,
-        "Which reading of the source paper: sets the defaults of yield_fit, bed_shear, consistency and flow_index, "
-        "and how states change.");
+        "How three-state sediment moves: by laws that were measured, or by one of two readings of the source paper. "
+        "Sets the defaults of yield_fit, bed_shear, consistency and flow_index, and how states change.");
     v.choice("wall_friction", wall_friction,
              "What water feels of the walls it runs along; sediment always sticks to walls.");
     v.choice("turbulence", turbulence,
@@ -50,6 +52,7 @@ struct Model {
              "How the friction angle becomes the pressure coefficient of the Drucker-Prager yield stress.");
     v.choice("rheology", rheology, "How yielded sediment flows.");
     v.choice("bed_shear", bed_shear, "How the water's shear stress on the bed is found (three-state).");
+    v.choice("bed_load", bed_load, "How fast grains move along the bed (three-state, implementation = \"law\").");
     v.flag("rest", rest,
            "Sediment that has been below yield for a while, with nothing moving about it, stops exactly and costs next "
            "to nothing until something wakes it.");

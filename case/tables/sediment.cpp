@@ -2,12 +2,14 @@
 
 #include "case/case.hpp"
 #include "case/check_context.hpp"
+#include "case/models/three_state.hpp"
 #include "case/tables/given_words.hpp"
 
 namespace thalweg {
 
 void SedimentTable::set_defaults(const GivenWords& given) {
-  switch (given.choice<Implementation>("model.implementation").value_or(Implementation::consistent)) {
+  switch (given.choice<Implementation>("model.implementation").value_or(Implementation::law)) {
+    case Implementation::law:
     case Implementation::consistent:
       return;
     case Implementation::paper:
@@ -21,6 +23,12 @@ void SedimentTable::check(const Case& whole, const CheckContext& at) const {
   if (dense_concentration < dilute_concentration) {
     at.reject(at.key("dense_concentration"), at.key("dense_concentration") + " is below dilute_concentration",
               "give at least as much, so that grains do not change to and fro");
+  }
+  if (models::ThreeState::is_on(whole) && !(grain_density > whole.water.density)) {
+    at.reject(
+        at.key("grain_density"),
+        at.key("grain_density") + " is not above the water's density: grains that float have no threshold of motion",
+        "give the grains' own density, without pores, or write model.sediment = \"viscoplastic\"");
   }
   switch (whole.model.rheology) {
     case Rheology::herschel_bulkley:

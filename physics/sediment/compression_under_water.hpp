@@ -37,6 +37,15 @@ HOST_DEVICE inline Real share_out_of_balance(Real difference, Real band) {
   return beyond <= 0 ? 0 : beyond >= band ? 1 : beyond / band;
 }
 
+/// Share of the water's pressure that a bed takes on in place of its own towards the water [-]: all of it up to a
+/// difference of twice the pressure of a spacing of water, none from four times on. Still water over a bed, and currents,
+/// differ by less than one; what differs by more is an impact. difference and head = rho_w g dp [Pa].
+template <class Real>
+HOST_DEVICE inline Real share_of_lent(Real difference, Real head) {
+  const Real share = 2 - (difference < 0 ? -difference : difference) / (2 * head);
+  return share < 0 ? 0 : share > 1 ? 1 : share;
+}
+
 /// Rate of the density excess [1/s] that leads the pressure p of sediment to the pressure P of the water over it,
 ///   R = 0.1 min(1, 4 S) m/(rho_s c h),   m = P - p without its part within +-band
 /// P = sum_w V W [p_w + (rho_w + rho_s)/2 g.r]/S, S = sum_w V W over the water. Halfway between a row of sediment and one

@@ -12,6 +12,11 @@
 // 10 % of its energy from every bounce.
 namespace thalweg {
 
+namespace field {
+/// The work quad during the motion, where some particles drift over their velocity (Scene::has_drift): the drift's.
+inline constexpr Field drift_velocity{"DriftVelocity", quad_work};
+}  // namespace field
+
 /// True if the equations of motion move particle i; `roles` is nullptr where they move all.
 HOST_DEVICE inline bool is_integrated(const Role* roles, Index i) {
   return roles == nullptr || roles[i] == Role::integrated;
@@ -88,6 +93,22 @@ struct DensityPass {
   }
 };
 
+/// Particle pass: the same with velocity plus drift.
+template <int Dim>
+struct CarriedDriftPass {
+  using reads = Reads<field::place, field::flow, field::position, field::drift_velocity>;
+  using writes = typename DriftPass<Dim>::writes;
+
+  DriftPass<Dim> drift;
+
+  HOST_DEVICE void operator()(Index i) const {
+    const Record& r = drift.records[i];
+    float velocity[3];
+    for (int c = 0; c < 3; ++c) velocity[c] = r.velocity[c] + r.work[c];
+    drift.move(i, velocity);
+  }
+};
+
 template <class Device>
 void kick(Device& on, Particles<Device>& p, const StepState* state) {
   on.for_each(p.fluid_count, KickPass{p.record.data(), p.rates.data(), p.roles(), state});
@@ -95,7 +116,9 @@ void kick(Device& on, Particles<Device>& p, const StepState* state) {
 
 template <int Dim, class Device>
 void drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state, double share) {
-  on.for_each(p.fluid_count, DriftPass<Dim>{p.record.data(), p.position.data(), scene, state, share});
+  const DriftPass<Dim> pass{p.record.data(), p.position.data(), scene, state, share};
+  if (scene.has_drift) return on.for_each(p.fluid_count, CarriedDriftPass<Dim>{pass});
+  on.for_each(p.fluid_count, pass);
 }
 
 template <class Device>

@@ -16,13 +16,18 @@ void announce_seepage(const Case& c) {
   }
 }
 
-/// Tells the meaning of a choice that is not the usual one.
+/// Tells the meaning of a choice.
 template <class Word>
-void announce(const char* key, const Word& choice, const Word& usual) {
-  if (choice == usual) return;
+void announce(const char* key, const Word& choice) {
   for (const auto& word : choices(choice)) {
     if (word.value == choice) spdlog::info("{} = \"{}\": {}", key, word.name, word.sentence);
   }
+}
+
+/// The same if the choice is not the usual one.
+template <class Word>
+void announce(const char* key, const Word& choice, const Word& usual) {
+  if (choice != usual) announce(key, choice);
 }
 
 /// Tells which choices of the sediment's model are not the defaults.
@@ -34,6 +39,7 @@ void announce_sediment(const Case& c) {
   announce("model.rheology", c.model.rheology, Model{}.rheology);
   if (c.model.sediment == SedimentModel::three_state) {
     announce("model.bed_shear", c.model.bed_shear, Model{}.bed_shear);
+    if (c.model.implementation == Implementation::law) announce("model.bed_load", c.model.bed_load);
   }
   announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
 }

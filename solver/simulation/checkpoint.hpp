@@ -64,6 +64,10 @@ void add_full_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene, P
   auto& excess = out.scalars[checkpoint_array::excess];
   excess.resize(p.count);
   for (Index i = 0; i < p.count; ++i) excess[i] = records[i].excess;
+  // A snapshot shows bed load with its drift, which has an array of its own here.
+  for (Index i = 0; i < p.count; ++i) {
+    out.velocity[i] = {records[i].velocity[0], records[i].velocity[1], records[i].velocity[2]};
+  }
   if (scene.has_sediment) {
     auto& kinds = out.scalars[checkpoint_array::kind];
     for (Index i = 0; i < p.count; ++i) kinds.push_back(is_sediment(records[i]) ? records[i].kind : 0);

@@ -55,6 +55,23 @@ struct SnapshotGather {
   }
 };
 
+/// Particle pass: adds to the velocities shown the drift of bed load over the skeleton.
+struct DriftGather {
+  using reads = Reads<field::drift>;
+  using writes = Writes<>;
+
+  const Drift* drift;
+  const Index* of;    // nullptr: 0, 1, 2 …
+  Index fluid_count;  // walls do not drift
+  SnapshotParticle* to;
+
+  HOST_DEVICE void operator()(Index n) const {
+    const Index i = of == nullptr ? n : of[n];
+    if (i >= fluid_count) return;
+    for (int c = 0; c < 3; ++c) to[n].velocity[c] += drift[i].velocity[c];
+  }
+};
+
 /// Particle pass: gathers one number of an array of numbers or of structs.
 template <class T, class Member>
 struct ColumnGather {
@@ -143,6 +160,7 @@ void gather_snapshot(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
   into.particles.resize(n);
   on.for_each(n, SnapshotGather{p.record.data(), p.position.data(), p.id.data(), p.mass.data(), p.type.data(), of,
                                 into.particles.data()});
+  if (scene.has_drift) on.for_each(n, DriftGather{p.drift.data(), of, p.fluid_count, into.particles.data()});
   GatherShown<Device> gather{on, into, of, n, p.fluid_count};
   p.describe(scene, gather);
 }

@@ -34,6 +34,7 @@ struct FlowScene {
   float acoustic_damping = 0;      // a c h [m^2/s]
   double cfl = 0;
   bool has_sediment = false;
+  bool has_drift = false;  // particles may move faster than their velocity says: plus the work quad (models/bed_load)
   bool needs_near_walls = false;  // some model sums over the fluid with walls in reach (Particles::near_walls)
 
   HOST_DEVICE float density_at_rest(float kind) const { return kind > 0.5F ? sediment_density : water_density; }

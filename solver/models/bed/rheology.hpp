@@ -10,8 +10,8 @@
 
 namespace thalweg {
 
-/// Particle pass: yield stress and apparent viscosity of a deposit; with states, bed load yields at the stress that
-/// moves its grains, and suspended sediment is thickened water.
+/// Particle pass: yield stress and apparent viscosity of a deposit; with states, suspended sediment is thickened
+/// water, and bed load that does not drift over a skeleton yields at the stress that moves its grains.
 struct RheologyPass {
   using reads = Reads<field::matter, field::sediment, field::bed, field::pore_pressure>;
   using writes = Writes<field::matter, field::sediment>;
@@ -24,6 +24,7 @@ struct RheologyPass {
   float solids_share;
   float einstein_coefficient;
   float water_viscosity;
+  bool bed_load_drifts;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
@@ -38,7 +39,7 @@ struct RheologyPass {
       const float carried = s.effective_pressure - excess_pore_pressure[i];
       s.effective_pressure = carried > 0 ? carried : 0;
     }
-    s.yield_stress = r.kind == kind::bed_load ? bed[i].critical_stress : yield_stress_of(law, s);
+    s.yield_stress = r.kind == kind::bed_load && !bed_load_drifts ? bed[i].critical_stress : yield_stress_of(law, s);
     const float apparent = apparent_viscosity_of(law, s);
     r.viscosity = apparent > water_viscosity ? apparent : water_viscosity;
   }
@@ -53,7 +54,8 @@ void apply_rheology(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
                           scene.pores.on ? p.excess_pore_pressure.data() : nullptr,
                           scene.erosion.solids_share,
                           scene.erosion.einstein_coefficient,
-                          scene.water_viscosity};
+                          scene.water_viscosity,
+                          scene.bed_load.on};
   for_each_member(on, p.list(), p.near_sediment(), pass);
   if (p.any_resting) for_each_member(on, p.list(), p.rest_front(), pass);
 }

@@ -1,29 +1,35 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "physics/no_slip.hpp"
 #include "physics/sediment/compression_under_water.hpp"
 #include "solver/models/bed/arrays.hpp"
 #include "solver/passes/continuity.hpp"
+#include "solver/passes/integrate.hpp"
 #include "solver/passes/velocity_gradient.hpp"
 
 namespace thalweg {
 
-/// Pair sweep over clusters with sediment in reach: density rate and rate of strain. Walls count in the strain as if the
+/// Pair sweep over clusters with sediment in reach: density rate and rate of strain. The rate of strain of sediment is that
+/// of sediment and walls: water slides over a bed. Where bed load drifts over its skeleton, densities change with
+/// velocity plus drift, and the strain is the skeleton's. Walls count in the strain as if the
 /// velocity went on through their surface (physics/no_slip.hpp), in the density rate with the velocity that they have.
 /// Sediment with water in reach has its density by physics/sediment/compression_under_water.hpp, all else by the plain
 /// sum.
-template <int Dim>
+template <int Dim, bool drifts>
 struct ContinuityAndStrainSweep {
-  using neighbours = Neighbours<field::place, field::flow, field::matter>;
-  using reads = Reads<field::place, field::flow, field::matter>;
+  using Read = Fields<field::place, field::flow, field::matter>;
+  using neighbours = std::conditional_t<drifts, Read::With<field::drift_velocity>, Read>;
+  using reads = neighbours;
   using writes = Writes<field::rates, field::sediment, field::dissipation>;
   static constexpr unsigned kernel = kernel_value | kernel_gradient;
   template <class L>
   struct Sum {
     L diffusion;
-    L by_water;        // compression by water [1/s]
+    L own;             // compression by sediment and walls [1/s]
+    L by_water;        // by water [1/s]
     L bed_share;       // sum over sediment and walls of V W [-]
     L water_share;     // sum over water of V W [-]
     L water_pressure;  // of V W times its pressure at the place of a [Pa]
@@ -40,14 +46,23 @@ struct ContinuityAndStrainSweep {
     const L weight = b.volume * g.F;
     sum.diffusion += pair_diffusion(a, b, g, weight, same_phase(a, b), continuity.scene);
     const Vec<Dim, L> u = b.velocity - a.velocity;
-    add_velocity(b, u, g, weight, sum);
     const auto b_water = is_water(b);
+    // In the water's gradient, which only the switch of the artificial viscosity reads, water counts.
+    const L of_water_too = lane_select(is_sediment(a), L(0.0F), weight);
+    add_velocity(b, u, g, lane_select(b_water, of_water_too, weight), sum);
+    L compression = dot(u, g.r);
+    if constexpr (drifts) {
+      for (int k = 0; k < Dim; ++k) compression += (b.work[k] - a.work[k]) * g.r[k];
+    }
+    compression = -weight * compression;
     const Scene<Dim>& scene = continuity.scene;
     const L g_dot_r = gravity_dot(scene, g.r);
     const L value = b.volume * g.W;
     const L share = lane_select(b_water, value, L(0.0F));
     sum.bed_share += value - share;
-    sum.by_water += lane_select(b_water, -weight * dot(u, g.r), L(0.0F));
+    const L of_water = lane_select(b_water, compression, L(0.0F));
+    sum.own += compression - of_water;
+    sum.by_water += of_water;
     sum.water_share += share;
     sum.water_pressure += share * (b.pressure + L(0.5F * (scene.water_density + scene.sediment_density)) * g_dot_r);
   }
@@ -61,17 +76,15 @@ struct ContinuityAndStrainSweep {
   }
 
   HOST_DEVICE void end(Index i, Sum<float> sum) const {
-    float compression = 0;
-    for (int k = 0; k < Dim; ++k) compression -= sum.velocity.gradient[k][k];
+    float compression = sum.own + sum.by_water;
     const Record& r = continuity.records[i];
     const Scene<Dim>& scene = continuity.scene;
     float held = 0;
     const bool under_water = is_sediment(r) && sum.water_share > 0;
     if (under_water) {
-      const float own = compression - sum.by_water;
       held = held_share(sum.bed_share - r.volume * scene.kernel.value(1.0F));
       const float apart = held * share_out_of_balance(pressure_difference(r, sum), pressure_band());
-      compression = own + apart * compression_by_water(own, sum.by_water) + (1 - apart) * sum.by_water;
+      compression = sum.own + apart * compression_by_water(sum.own, sum.by_water) + (1 - apart) * sum.by_water;
     }
     continuity.end(i, compression, sum.diffusion);
     if (under_water && !is_resting(r)) continuity.rates[i].excess_rate += held * exchange(r, sum);
@@ -122,9 +135,15 @@ void compute_density_rates(Device& on, Particles<Device>& p, const Scene<Dim>& s
   compute_water_density_rates(on, p, scene);
   if (!scene.has_sediment) return;
   const ContinuitySweep<Dim> water{p.record.data(), p.rates.data(), scene};
-  const ContinuityAndStrainSweep<Dim> with_strain{water, p.sediment.data(), p.dissipations()};
-  sweep(on, p, scene, p.near_sediment(), with_strain);
-  if (p.any_resting) sweep(on, p, scene, p.rest_front(), with_strain);
+  const auto near_sediment = [&](const auto& with_strain) {
+    sweep(on, p, scene, p.near_sediment(), with_strain);
+    if (p.any_resting) sweep(on, p, scene, p.rest_front(), with_strain);
+  };
+  if (scene.has_drift) {
+    near_sediment(ContinuityAndStrainSweep<Dim, true>{water, p.sediment.data(), p.dissipations()});
+  } else {
+    near_sediment(ContinuityAndStrainSweep<Dim, false>{water, p.sediment.data(), p.dissipations()});
+  }
 }
 
 }  // namespace thalweg

@@ -10,27 +10,23 @@
 // Viscosity of the sediment without a solve: explicit steps, or explicit with the viscosity cut.
 namespace thalweg {
 
-namespace field {
-/// The work quad after the explicit sweep: the change of velocity [m/s].
-inline constexpr Field viscous_change{"ViscousChange", quad_work};
-}  // namespace field
-
-/// Pair sweep: change of velocity by viscosity in a step [m/s], from the velocities at hand; into the work quad.
-template <int Dim>
+/// Pair sweep: change of velocity by viscosity in a step [m/s], from the velocities at hand; in place of the explicit
+/// acceleration, which the velocities have had already and the next step finds anew.
+template <int Dim, class Coupling>
 struct ExplicitViscositySweep {
-  using neighbours = typename ViscousCoupling<Dim>::neighbours;
+  using neighbours = typename Coupling::neighbours;
   using reads = Reads<field::mass>;
-  using writes = Writes<field::viscous_change>;
-  static constexpr unsigned kernel = ViscousCoupling<Dim>::kernel;
+  using writes = Writes<field::rates>;
+  static constexpr unsigned kernel = Coupling::kernel;
   template <class L>
   struct Sum {
     Vec<Dim, L> exchange;
     WallDrag<Dim, L> walls;
   };
 
-  Record* records;
+  Rates* rates;
   const float* mass;
-  ViscousCoupling<Dim> coupling;
+  Coupling coupling;
   const StepState* state;
 
   template <class LaneT, class L>
@@ -42,23 +38,25 @@ struct ExplicitViscositySweep {
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
-    for (float& w : records[i].work) w = 0;
+    for (float& a : rates[i].acceleration) a = 0;
     const auto dt = static_cast<float>(state->step.dt);
     const float more_of_walls = coupling.scene.no_slip.excess(sum.walls);
     for (int c = 0; c < Dim; ++c) {
-      records[i].work[axis<Dim>(c)] = -dt * (sum.exchange[c] + more_of_walls * sum.walls.exchange[c]) / mass[i];
+      rates[i].acceleration[axis<Dim>(c)] = -dt * (sum.exchange[c] + more_of_walls * sum.walls.exchange[c]) / mass[i];
     }
   }
 };
 
 /// Changes the velocities of the fluid near sediment by the viscous forces of the velocities at hand.
-template <int Dim, class Device>
-void apply_explicit_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state) {
+template <int Dim, class Device, class Coupling>
+void apply_explicit_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state,
+                              const Coupling& coupling) {
   Record* records = p.record.data();
-  sweep(on, p, scene, p.near_sediment(), ExplicitViscositySweep<Dim>{records, p.mass.data(), {scene}, state});
+  Rates* rates = p.rates.data();
+  sweep(on, p, scene, p.near_sediment(), ExplicitViscositySweep<Dim, Coupling>{rates, p.mass.data(), coupling, state});
   for_each_member(on, p.list(), p.near_sediment(),
-                  declare<Reads<field::flow, field::viscous_change>, Writes<field::flow>>([=] HOST_DEVICE(Index i) {
-                    for (int c = 0; c < 3; ++c) records[i].velocity[c] += records[i].work[c];
+                  declare<Reads<field::flow, field::rates>, Writes<field::flow>>([=] HOST_DEVICE(Index i) {
+                    for (int c = 0; c < 3; ++c) records[i].velocity[c] += rates[i].acceleration[c];
                   }));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/models/bed_load/coupling.hpp"
 #include "solver/models/implicit/conjugate_gradients.hpp"
 #include "solver/models/implicit/explicit_viscosity.hpp"
 #include "solver/models/implicit/retry.hpp"
@@ -60,6 +61,7 @@ struct ViscosityModel {
     auto& on = step.on;
     auto& p = step.p;
     const auto& scene = step.scene;
+    if (scene.bed_load.on) prepare_drag(on, p);
     switch (scene.viscosity) {
       case ViscosityTreatment::implicit:
         if (scene.seepage.mixture) prepare_mixture_viscosity(on, p, scene);
@@ -68,11 +70,11 @@ struct ViscosityModel {
         });
         break;
       case ViscosityTreatment::explicit_steps:
-        apply_explicit_viscosity(on, p, scene, step.state);
+        add_viscosity(step);
         break;
       case ViscosityTreatment::capped:
         cap_viscosity(on, p, scene, step.state);
-        apply_explicit_viscosity(on, p, scene, step.state);
+        add_viscosity(step);
         break;
     }
   }
@@ -124,12 +126,21 @@ struct ViscosityModel {
   }
 
  private:
+  template <class C>
+  static void add_viscosity(C& step) {
+    with_coupling(step, [&](const auto& coupling) {
+      apply_explicit_viscosity(step.on, step.p, step.scene, step.state, coupling);
+    });
+  }
+
   /// Calls what() with the coupling of the scene's bed.
   template <class C, class What>
   static void with_coupling(C& step, const What& what) {
     constexpr int dimension = C::dimension;
     if (step.scene.seepage.mixture) {
       what(MixtureCoupling<dimension>{step.scene});
+    } else if (step.scene.bed_load.on) {
+      what(DragCoupling<dimension>{step.scene});
     } else {
       what(ViscousCoupling<dimension>{step.scene});
     }

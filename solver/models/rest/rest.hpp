@@ -53,6 +53,7 @@ struct CalmPass {
   Sediment* sediment;
   RestCriteria criteria;
   float repose_tangent;
+  bool bed_load_drifts;  // the velocity of bed load is that of its skeleton, which may be calm
   const StepState* state;
 
   HOST_DEVICE Index operator()(Index i) const {
@@ -68,7 +69,7 @@ struct CalmPass {
     float u2 = 0;
     for (const float u : r.velocity) u2 += u * u;
     const bool calm = !steep && s.strain_rate < criteria.shear_rate && u2 < criteria.speed * criteria.speed &&
-                      r.kind == kind::deposit;
+                      (r.kind == kind::deposit || (bed_load_drifts && r.kind == kind::bed_load));
     s.time_below_yield = calm ? s.time_below_yield + static_cast<float>(state->step.dt) : 0;
     return 0;
   }
@@ -89,7 +90,7 @@ struct MayStop {
 
   HOST_DEVICE bool operator()(Index i) const {
     const float time = scene.rest.time;
-    if (!is_sediment(records[i]) || is_resting(records[i]) || sediment[i].time_below_yield < time) return false;
+    if (records[i].kind != kind::deposit || sediment[i].time_below_yield < time) return false;
     const Index cluster = i / cluster_size;
     bool held = false;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
@@ -195,9 +196,10 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Step
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
   const auto sum = [] HOST_DEVICE(Index a, Index b) { return a + b; };
-  on.reduce_then(p.fluid_count, Index{0},
-                 rest::CalmPass{records, sediment, scene.rest, scene.sediment.yield_coefficient, state}, sum,
-                 [=] HOST_DEVICE(Index woken) { state->woken += woken; });
+  on.reduce_then(
+      p.fluid_count, Index{0},
+      rest::CalmPass{records, sediment, scene.rest, scene.sediment.yield_coefficient, scene.bed_load.on, state}, sum,
+      [=] HOST_DEVICE(Index woken) { state->woken += woken; });
 
   p.stopping.resize(p.fluid_count);
   std::uint8_t* stopping = p.stopping.data();

@@ -56,15 +56,18 @@ struct MixtureContinuitySweep {
   using writes = Writes<field::rates, field::sediment, field::dissipation>;
   static constexpr unsigned kernel = kernel_gradient;
   template <class L>
-  using Sum = typename ContinuityAndStrainSweep<Dim>::template Sum<L>;
+  using Sum = typename ContinuityAndStrainSweep<Dim, false>::template Sum<L>;
 
-  ContinuityAndStrainSweep<Dim> own;
+  ContinuityAndStrainSweep<Dim, false> own;
   const PoreState* pores;
 
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     sum.diffusion += pair_diffusion(a, b, g, b.volume * g.F, same_phase(a, b), own.continuity.scene);
-    own.add_velocity(b, b.work - a.work, g, mixture::volume_seen(a, b) * g.F, sum);
+    const Vec<Dim, L> flux = b.work - a.work;
+    const L weight = mixture::volume_seen(a, b) * g.F;
+    sum.own += -weight * dot(flux, g.r);
+    own.add_velocity(b, flux, g, weight, sum);
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {

@@ -18,6 +18,7 @@ struct BedSurface {
   float water_share;           // sum over water of V W [-]
   float water_velocity[3];     // mean of the water in reach [m/s]
   float water_height;          // of that water over the surface, along the normal [m]
+  float log_height;            // at which a logarithmic profile has its mean over that water [m]
   float bed_velocity[3];       // mean of the deposits in reach, 0 without [m/s]
   float settled_share;         // sum over sediment that is not suspended of V W, itself left out [-]
   float shear_stress;          // tau_b [Pa]
@@ -34,6 +35,7 @@ struct StatesArrays {
   void describe(const Scene& scene, Visitor& v) {
     v.array(field::bed, bed, sorted | checkpointed, BedSurface{});
     v.shown("ShieldsNumber", bed, &BedSurface::shear_stress, {.unit = scene.erosion.grain_weight});
+    v.shown("CriticalShieldsNumber", bed, &BedSurface::critical_stress, {.unit = scene.erosion.grain_weight});
   }
 };
 

@@ -7,6 +7,7 @@
 #include "physics/transport/friction_velocity.hpp"
 #include "physics/transport/lift_settling.hpp"
 #include "physics/transport/slope_factor.hpp"
+#include "physics/transport/wall_stress.hpp"
 #include "solver/models/bed/arrays.hpp"
 #include "solver/models/states/bed_surface.hpp"
 #include "solver/models/states/scene.hpp"
@@ -24,6 +25,18 @@ HOST_DEVICE Vec<Dim, float> pick(const float* xyz) {
   for (int k = 0; k < Dim; ++k) v[k] = xyz[axis<Dim>(k)];
   return v;
 }
+
+}  // namespace bed_states
+
+/// Velocity of the water along the bed's surface, less that of the particle [m/s].
+template <int Dim>
+HOST_DEVICE Vec<Dim, float> speed_along_bed(const Record& r, const BedSurface& s) {
+  const Vec<Dim, float> n = bed_states::pick<Dim>(s.normal);
+  const Vec<Dim, float> u = bed_states::pick<Dim>(s.water_velocity) - bed_states::pick<Dim>(r.velocity);
+  return u - dot(u, n) * n;
+}
+
+namespace bed_states {
 
 /// Particle pass: shear stress, its critical value, and the state they lead to. True where a resting particle was
 /// moved.
@@ -54,8 +67,10 @@ struct StatePass {
     const Vec<Dim, float> u = pick<Dim>(r.velocity);
     const Vec<Dim, float> over_bed = u - pick<Dim>(s.bed_velocity);
     // The stress on the bed, not on a grain that goes with the water; the print takes the grain's velocity.
+    // Where bed load drifts over its skeleton, u is the skeleton's already.
     Shields shields;
-    if (surface) shields = shields_of(s, moving && !law.as_printed ? pick<Dim>(s.bed_velocity) : u);
+    const bool of_bed = moving && !law.as_printed && !law.by_law;
+    if (surface) shields = shields_of(s, of_bed ? pick<Dim>(s.bed_velocity) : u);
     s.shear_stress = shields.stress;
     s.critical_stress = shields.critical_stress;
     if (r.kind == kind::bed_load) {
@@ -100,7 +115,10 @@ struct StatePass {
       const float z =
           s.water_height > least ? (s.water_height < scene.support() ? s.water_height : scene.support()) : least;
       const float nu = scene.water_viscosity / scene.water_density;
-      friction = friction_velocity(sqrtf(dot(du, du)), z, nu, law.roughness).friction_velocity;
+      const float speed = sqrtf(dot(du, du));
+      const float mean = s.water_height > 0.1F * dp ? s.water_height : 0.1F * dp;
+      friction = law.by_law ? wall_friction_velocity(speed, mean, s.log_height, nu, law.roughness)
+                            : friction_velocity(speed, z, nu, law.roughness).friction_velocity;
       out.stress = bed_shear_stress(scene.water_density, friction);
     }
     out.number = shields_number(out.stress, law.grain_weight);
@@ -110,6 +128,7 @@ struct StatePass {
             : critical_shields_number(friction * law.diameter * scene.water_density / scene.water_viscosity);
     const float k = slope_factor(n, water - u, law.down, scene.sediment.friction_tangent, law.lift_ratio);
     out.critical_stress = k * critical_stress_of_flat_bed(out.critical_number, law.grain_weight);
+    if (law.by_law) out.critical_stress += law.cohesion;
     return out;
   }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "physics/transport/wall_stress.hpp"
 #include "solver/models/states/arrays.hpp"
 #include "solver/passes/sweep.hpp"
 
@@ -21,10 +22,11 @@ struct BedSurfaceSweep {
     L fill;
     L sediment_volume;
     L fluid_volume;
-    Vec<Dim, L> gradient;  // of the sediment's concentration
+    Vec<Dim, L> gradient;  // of the sediment's concentration, or less that of the water's
     L water_share;
     Vec<Dim, L> water_velocity;
     Vec<Dim, L> water_offset;
+    L water_second[Dim * (Dim + 1) / 2];  // of V W r (x) r of water, upper triangle row by row
     L deposit_share;
     Vec<Dim, L> deposit_velocity;
     L settled_share;
@@ -49,17 +51,23 @@ struct BedSurfaceSweep {
     const L sediment_weight = lane_select(b_sediment, weight, zero);
     sum.sediment_volume += lane_select(b_sediment, inside, zero);
     sum.fluid_volume += lane_select(b_wall, zero, inside);
-    const L sediment_slope = share * slope;
     const L water_weight = lane_select(b_wall, zero, weight) - sediment_weight;
+    // Bed load that drifts along the surface takes the normal of the water's concentration: that of the sediment's
+    // leans away from grains that have come close to each other, which then climb on each other's backs.
+    const L sediment_slope = L(scene.erosion.by_law ? 0.0F : 1.0F) * share * slope +
+                             L(scene.erosion.by_law ? -1.0F : 0.0F) * (L(1.0F) - share) * slope;
     sum.water_share += water_weight;
     const L settled = lane_select(b.kind == L(kind::suspended), zero, sediment_weight);
     const L deposit = lane_select(b.kind == L(kind::bed_load), zero, settled);
     sum.settled_share += settled;
     sum.deposit_share += deposit;
+    int m = 0;
     for (int k = 0; k < Dim; ++k) {
       sum.gradient[k] += sediment_slope * g.r[k];
       sum.water_velocity[k] += water_weight * b.velocity[k];
-      sum.water_offset[k] += water_weight * g.r[k];
+      const L offset = water_weight * g.r[k];
+      sum.water_offset[k] += offset;
+      for (int l = k; l < Dim; ++l) sum.water_second[m++] += offset * g.r[l];
       sum.deposit_velocity[k] += deposit * b.velocity[k];
     }
   }
@@ -91,7 +99,26 @@ struct BedSurfaceSweep {
       const float of_others = sum.deposit_velocity[k] - (deposit ? own * r.velocity[c] : 0);
       s.bed_velocity[c] = has_deposits ? of_others / deposits : 0;
     }
-    s.water_height = height - 0.5F * static_cast<float>(scene.spacing);
+    set_heights(s, sum, height);
+  }
+
+  /// Mean and log-mean height of the water over the surface, which lies half a spacing above the particle's centre;
+  /// `height`: mean over the centre [m].
+  HOST_DEVICE void set_heights(BedSurface& s, const Sum<float>& sum, float height) const {
+    const auto dp = static_cast<float>(scene.spacing);
+    s.water_height = height - 0.5F * dp;
+    s.log_height = 0;
+    if (!(sum.water_share > 0)) return;
+    float square = 0;
+    int m = 0;
+    for (int k = 0; k < Dim; ++k) {
+      for (int l = k; l < Dim; ++l) {
+        square += (k == l ? 1.0F : 2.0F) * s.normal[axis<Dim>(k)] * s.normal[axis<Dim>(l)] * sum.water_second[m++];
+      }
+    }
+    const float variance = square / sum.water_share - height * height;
+    const float mean = s.water_height > 0.1F * dp ? s.water_height : 0.1F * dp;
+    s.log_height = log_mean_height(mean, variance > 0 ? variance : 0.0F);
   }
 };
 

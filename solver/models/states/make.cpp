@@ -21,6 +21,7 @@ void StatesModel::make(const SceneSource& from, Scene<Dim>& scene) {
   ErosionScene<Dim>& law = scene.erosion;
   law.bed_shear = of.model.bed_shear;
   law.as_printed = of.model.implementation == Implementation::paper;
+  law.by_law = of.model.implementation == Implementation::law;
   law.surface_fill = law.as_printed ? surface_fill_as_printed
                                     : surface_fill(of.numerics.smoothing_ratio, 1, widest_narrow_kernel_of_states);
   law.fill_hysteresis = law.as_printed ? 0 : surface_fill_hysteresis;
@@ -28,6 +29,7 @@ void StatesModel::make(const SceneSource& from, Scene<Dim>& scene) {
   law.roughness = static_cast<float>(s.roughness > 0 ? s.roughness : s.grain_diameter);
   law.grain_density = static_cast<float>(s.grain_density);
   law.grain_weight = static_cast<float>(grain_weight_stress(s.grain_density, rho, g, s.grain_diameter));
+  law.cohesion = static_cast<float>(s.cohesion);
   law.gravity = static_cast<float>(g);
   for (int k = 0; k < Dim; ++k) law.down[k] = static_cast<float>(of.domain.gravity[axis<Dim>(k)] / g);
   law.critical_shields = static_cast<float>(s.critical_shields);

@@ -10,12 +10,14 @@ template <int Dim>
 struct ErosionScene {
   BedShear bed_shear = BedShear::log_law;
   bool as_printed = false;            // the paper's printed tests in place of the consistent ones
+  bool by_law = false;                // bed load drifts at the rate of a law (models/bed_load)
   float surface_fill = 0;             // sediment with less of its kernel filled by sediment is surface [-]
   float fill_hysteresis = 0;          // more than that, for grains that move [-]
   float diameter = 0;                 // d50 [m]
   float roughness = 0;                // ks [m]
   float grain_density = 0;            // [kg/m^3]
   float grain_weight = 0;             // (rho_s - rho_w) g d [Pa]
+  float cohesion = 0;                 // that water has to overcome too [Pa]
   float gravity = 0;                  // [m/s^2]
   Vec<Dim, float> down{};             // unit
   float critical_shields = 0;         // [-]; 0: by the grain Reynolds number

@@ -3,25 +3,12 @@
 
 #include "solver/models/all.hpp"
 #include "solver/models/make.hpp"
+#include "solver/models/wall_stress/contact.hpp"
 #include "solver/passes/time_step.hpp"
 
 namespace thalweg {
 
 namespace {
-
-/// Sum of V W over half a layer of water, a spacing from the wall particle [-].
-template <int Dim>
-float weight_of_half_a_layer(const Scene<Dim>& scene) {
-  const auto reach = static_cast<int>(2 * scene.smoothing_length / scene.spacing);
-  const auto dp = static_cast<float>(scene.spacing);
-  float sum = 0;
-  for (int x = -reach; x <= reach; ++x) {
-    for (int y = Dim == 3 ? -reach : 0; y <= (Dim == 3 ? reach : 0); ++y) {
-      sum += scene.kernel.value(scene.kernel.closeness(dp * std::sqrt(static_cast<float>(1 + x * x + y * y))));
-    }
-  }
-  return 0.5F * sum * std::pow(dp, static_cast<float>(Dim));
-}
 
 /// Bound of tau/(rho |u|) [m/s]. The water of one layer is slowed by tau/(rho dp) of each wall it lies on, three in a
 /// corner, and twice that where the layer is half empty: a bound of dp/(6 dt) takes at most its whole speed in a step

@@ -50,7 +50,18 @@ DeviceScene eroding() {
   return s;
 }
 
-/// The same between a wall that pushes and one that turns, partly out of the domain.
+/// The same with bed load that drifts at the rate of a law.
+DeviceScene drifting() {
+  DeviceScene s = eroding();
+  s.name = "bed load by a law";
+  Scene<2>& scene = plane(s);
+  scene.has_drift = scene.erosion.by_law = true;
+  const auto dp = static_cast<float>(scene.spacing);
+  scene.bed_load = {true, BedLoad::meyer_peter_mueller, 4.766e-4F, 0.53F * dp, dp, 0.2F, 3 * dp, 300 * g};
+  return s;
+}
+
+/// Three states between a wall that pushes and one that turns, partly out of the domain.
 DeviceScene pushed() {
   DeviceScene s = eroding();
   s.name = "moving walls";
@@ -115,6 +126,7 @@ std::vector<DeviceScene> device_scenes() {
   return {slump,
           tank<3>("slump in space"),
           eroding(),
+          drifting(),
           pushed(),
           mixture(),
           with(slump, "pressure from Laplace's equation",

@@ -12,7 +12,7 @@ namespace {
 constexpr int dim = 3;
 using Momentum = MomentumSweep<dim>;
 using Water = ContinuitySweep<dim>;
-using Strain = ContinuityAndStrainSweep<dim>;
+using Strain = ContinuityAndStrainSweep<dim, false>;
 
 /// Water over sediment, everything about it uneven.
 ParticleSet uneven_bed(const Scene<dim>& scene) {
@@ -130,6 +130,7 @@ Reference plain_sums(const Record* records, Index count, const Scene<dim>& scene
     total.force.add(-V * F * (double(a.pressure) + double(b.pressure) + pi) * r[2] + V * F * 2 * eta * u[2]);
     total.compression.add(V * F * u_dot_r);
     if (same) total.diffusion.add(-V * (double(b.excess) - double(a.excess) + g_dot_r * double(per_c2)) * F);
+    if (is_sediment(a) && is_water(b)) continue;  // water does not shear a bed
     total.gradient.add(-V * F * r[1] * u[0]);
     total.moment.add(-V * F * r[1] * r[2]);
   }

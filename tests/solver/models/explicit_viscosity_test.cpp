@@ -36,7 +36,7 @@ double force_in_linear_flow(bool sticks) {
   const test::Seen before = test::look(l);
   const double dt = 1e-4;
   test::TestStep step(l, dt);
-  apply_explicit_viscosity(l.on, l.p, scene, step.state());
+  apply_explicit_viscosity(l.on, l.p, scene, step.state(), ViscousCoupling<2>{scene});
   const test::Seen after = test::look(l);
   double largest = 0;
   for (Index i = 0; i < after.fluid_count; ++i) {

@@ -49,14 +49,14 @@ double sediment_distance(const ParticleSet& a, const ParticleSet& b) {
 }
 
 TEST(ModelChoices, ExplicitViscosityGivesWhatTheImplicitGives) {
-  // Ten times shorter steps, 3 mm of motion: the same to 2 % of it, and with the implicit steps ever shorter the
-  // difference goes to zero with them (2.8 % at a Courant number of 0.5, 0.8 at 0.2, 0.3 at 0.1).
+  // Ten times shorter steps, 3 mm of motion. With the implicit steps ever shorter the difference goes to zero with
+  // them: 3.2 % of the motion at a Courant number of 0.5, 2.0 at 0.35, 0.9 at 0.2, 0.3 at 0.1.
   const LouvainRun run("explicit", {"numerics.viscosity=explicit"});
   ASSERT_EQ(run_solver(run.options()), Exit::done);
-  const ParticleSet implicit = end_of("implicit", {"numerics.cfl=0.35"});
+  const ParticleSet implicit = end_of("implicit", {"numerics.cfl=0.2"});
   const double moved = sediment_distance(implicit, run.start());
   EXPECT_GT(moved, 2e-3);
-  EXPECT_LT(sediment_distance(implicit, run.end()), 0.02 * moved);
+  EXPECT_LT(sediment_distance(implicit, run.end()), 0.012 * moved);
   const auto limiter = CsvTable::read(run.folder().history()).texts("dt_limiter");
   EXPECT_EQ(limiter.front(), "viscosity");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/models/bed/model.hpp"
+#include "solver/models/bed_load/model.hpp"
 #include "solver/models/implicit/model.hpp"
 #include "solver/models/moving_walls/model.hpp"
 #include "solver/models/no_slip/model.hpp"
@@ -19,7 +20,8 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
-                            SubParticleModel, StatesModel, RestModel, WallStressModel, ShiftingModel, TracerModel>;
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, SubParticleModel,
+              StatesModel, BedLoadModel, RestModel, WallStressModel, ShiftingModel, TracerModel>;
 
 }  // namespace thalweg
