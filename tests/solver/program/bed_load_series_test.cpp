@@ -40,16 +40,18 @@ TEST_P(BedLoadSeries, FollowsTheLawAtEveryStage) {
   }
 }
 
+std::string name_of(const testing::TestParamInfo<BedLoadSeries::ParamType>& test) {
+  const auto& [spacing, sand, seed] = test.param;
+  return "dp_" + std::to_string(std::lround(1e4 * spacing)) + "_d_" + std::to_string(std::lround(1e4 * sand.diameter)) +
+         "_seed_" + std::to_string(seed);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, BedLoadSeries,
                          testing::Combine(testing::Values(0.01, 0.005, 0.0025),
                                           testing::Values(Sand{0.5e-3, 2650}, Sand{1e-3, 2650}, Sand{2e-3, 2650},
                                                           Sand{3.5e-3, 1540}),
                                           testing::Values(1U, 2U, 3U)),
-                         [](const auto& test) {
-                           const auto& [spacing, sand, seed] = test.param;
-                           return "dp_" + std::to_string(std::lround(1e4 * spacing)) + "_d_" +
-                                  std::to_string(std::lround(1e4 * sand.diameter)) + "_seed_" + std::to_string(seed);
-                         });
+                         name_of);
 
 TEST(BedLoadInSpace, FollowsTheLaw) {
   const FlatBedResult r =
