@@ -186,7 +186,7 @@ void register_all(int edge) {
   register_sweep<Dim>("density rate and strain", edge, fluid,
                       [](B& b, ClusterRange r) {
                         const ContinuitySweep<Dim> water{b.p.record.data(), b.p.rates.data(), b.scene};
-                        b.sweep(r, ContinuityAndStrainSweep<Dim>{water, b.p.sediment.data(), nullptr});
+                        b.sweep(r, ContinuityAndStrainSweep<Dim, false>{water, b.p.sediment.data(), nullptr});
                       },
                       {.particle = rates + 2 * sizeof(Sediment)});
   register_sweep<Dim>("momentum", edge, fluid,

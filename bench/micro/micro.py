@@ -33,8 +33,8 @@ BOOKKEEPING = {"family_index", "per_family_instance_index", "run_name", "run_typ
                "real_time", "time_unit"}
 SWEEPS = {
     r"ContinuitySweep<": "density rate",
-    r"ContinuityAndStrainSweep<": "density rate and strain",
-    r"MomentumSweep<\d>": "momentum",
+    r"ContinuityAndStrainSweep<\d, false>": "density rate and strain",
+    r"MomentumSweep<\d, false>": "momentum",
     r"ViscousCoefficientSweep<\d, true": "viscous coefficients",
     r"ViscousProductSweep<\d, true": "viscous product",
     r"ViscousProductSweep<\d, false": "viscous product, nothing stored",

@@ -25,9 +25,9 @@ class Instructions(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         found = rows(done.stdout)
         for dimension in (2, 3):
-            for body in (f"ContinuitySweep<{dimension}>", f"MomentumSweep<{dimension}>", f"WallPressureSweep<{dimension}>"):
+            for body in (f"ContinuitySweep<{dimension}>", f"MomentumSweep<{dimension}, false>", f"WallPressureSweep<{dimension}>"):
                 self.assertGreater(found[f"{dimension}-D {body}"], 30, "fewer cannot compute four pairs")
-        self.assertGreater(found["3-D MomentumSweep<3>"], found["2-D MomentumSweep<2>"])
+        self.assertGreater(found["3-D MomentumSweep<3, false>"], found["2-D MomentumSweep<2, false>"])
 
     def test_a_module_equals_itself(self):
         done = self.run_script(core, core)

@@ -161,8 +161,10 @@ void find_drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   on.for_each(p.count, declare<Reads<>, Writes<field::drift_velocity>>([=] HOST_DEVICE(Index i) {
                 for (float& w : records[i].work) w = 0;
               }));
-  for_each_member(on, p.list(), p.at_bed_surface(),
-                  BedLoadDriftPass<Dim>{records, p.bed.data(), drift, p.list(), scene});
+  const BedLoadDriftPass<Dim> pass{records, p.bed.data(), drift, p.list(), scene};
+  using Pass = BedLoadDriftPass<Dim>;
+  on.for_each(p.fluid_count, declare<typename Pass::neighbours, typename Pass::reads, typename Pass::writes>(
+                                 [=] HOST_DEVICE(Index i) { pass(i); }));
   on.for_each(p.fluid_count, declare<Reads<field::drift_velocity>, Writes<field::drift>>([=] HOST_DEVICE(Index i) {
                 for (int c = 0; c < 3; ++c) drift[i].velocity[c] = records[i].work[c];
               }));
