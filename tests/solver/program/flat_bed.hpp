@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "physics/transport/bed_load.hpp"
@@ -42,7 +43,7 @@ class FlatBedRun {
   static constexpr double porosity = 0.4;
   static constexpr double critical = 0.047;  // theta_cr
 
-  explicit FlatBedRun(const FlatBed& of) : of_{of}, run_{"flat_bed"} {}
+  explicit FlatBedRun(FlatBed of) : of_{std::move(of)}, run_{"flat_bed"} {}
 
   FlatBedResult result() {
     start();
