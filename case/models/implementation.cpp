@@ -31,8 +31,7 @@ std::array<Reading, 10> readings() {
       {"bed shear stress", "rho (kappa du/2)^2, du summed over the water without dividing by its share",
        "rho u*^2 by the logarithmic law from the mean of the water in reach (model.bed_shear)",
        "as consistent, with the roughness z0 that knows no steps and the mean height of the logarithm; its reaction "
-       "drags "
-       "the water"},
+       "drags the water"},
       {"bed load", "a fluid that yields at the stress which moves its grains", "the same",
        "a drift of the surface over the bed below it, at the rate of model.bed_load whatever the spacing"},
       {"bed surface",

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "case/tables/table.hpp"
 
@@ -30,6 +32,15 @@ struct GivenWords {
   [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise) const {
     const auto found = words.find(key);
     return found != words.end() ? found->second.text : otherwise;
+  }
+
+  /// The key's number; nothing if it is not given, or is no number, which the reader refuses later.
+  [[nodiscard]] std::optional<double> number(const std::string& key) const {
+    const std::string digits = text(key, "");
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (digits.empty() || error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return value;
   }
 
   /// The enumerator that the key names; nothing if it is not given, or unknown, which the reader refuses later.

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <string>
-
 #include "case/case.hpp"
 #include "case/check_context.hpp"
 #include "case/tables/given_words.hpp"
@@ -50,8 +48,8 @@ void Numerics::set_defaults(const GivenWords& given) {
   if (!has_sediment && !in_space) {
     smoothing_ratio = smoothing_ratio_of_plane_water;
     // A narrower kernel that the case asks for has no switch, and all of the viscosity would act.
-    const std::string ratio = given.text("numerics.smoothing_ratio", "");
-    if (ratio.empty() || std::stod(ratio) >= least_ratio_of_viscosity_switch) artificial_viscosity = switched_viscosity;
+    const double ratio = given.number("numerics.smoothing_ratio").value_or(smoothing_ratio);
+    if (ratio >= least_ratio_of_viscosity_switch) artificial_viscosity = switched_viscosity;
   }
 }
 

@@ -93,7 +93,7 @@ struct DensityPass {
   }
 };
 
-/// Particle pass: the same with velocity plus drift.
+/// Particle pass: DriftPass with velocity plus drift.
 template <int Dim>
 struct CarriedDriftPass {
   using reads = Reads<field::place, field::flow, field::position, field::drift_velocity>;
