@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/state/particles.hpp"
 #include "solver/state/scene.hpp"
 
 namespace thalweg {
@@ -48,6 +49,27 @@ struct ColumnLattice {
   HOST_DEVICE int inside(int k, int node) const {
     if (periodic[k]) return (node % nodes[k] + nodes[k]) % nodes[k];
     return node >= 0 && node < nodes[k] ? node : -1;
+  }
+  /// Index of the column closest to a place, or -1 beyond the lattice.
+  [[nodiscard]] HOST_DEVICE int nearest_column(const Position& at) const {
+    int column = 0;
+    for (int k = Dim - 2; k >= 0; --k) {
+      float share;
+      const int node = below(k, at.x[axis<Dim>(k)], share);
+      const int n = inside(k, share < 0.5F ? node : node + 1);
+      if (n < 0) return -1;
+      column = column * nodes[k] + n;
+    }
+    return column;
+  }
+  /// Index of the node closest to a place, or -1 beyond the lattice.
+  [[nodiscard]] HOST_DEVICE std::int64_t nearest(const Position& at) const {
+    float share;
+    const int below_it = below(Dim - 1, at.x[axis<Dim>(Dim - 1)], share);
+    const int level = share < 0.5F ? below_it : below_it + 1;
+    const int column = nearest_column(at);
+    if (column < 0 || level < 0 || level >= levels()) return -1;
+    return static_cast<std::int64_t>(column) * levels() + level;
   }
 };
 

@@ -15,12 +15,22 @@ struct ColumnWeight {
   typename Device::template Buffer<float> surface;           // per column: height of the bed's surface over node 0 [m]
   typename Device::template Buffer<float> slope;             // per column: tangent of the surface's steepest slope
   typename Device::template Buffer<std::uint8_t> wetted;     // per column: any fluid here
+  typename Device::template Buffer<std::uint8_t> content;    // per node: column_node
+  typename Device::template Buffer<std::uint8_t> covered;    // per column: sediment right below a body
 };
+
+/// The content of a node: of the walls if one is next to it, or else of the fluid.
+namespace column_node {
+inline constexpr std::uint8_t empty = 0;
+inline constexpr std::uint8_t fluid = 1;
+inline constexpr std::uint8_t wall = 2;
+}  // namespace column_node
 
 /// A column without a bed to speak of: less than one spacing of sediment.
 inline constexpr float no_surface = -1;
 
-/// Particle pass: shares each sediment particle's volume among the nodes around it (linearly), marks wetted columns.
+/// Particle pass: shares each sediment particle's volume among the nodes around it (linearly), marks wetted columns and
+/// the nodes next to fluid.
 template <int Dim, class AtomicAdd>
 struct DepositPass {
   using reads = Reads<field::place, field::matter, field::position>;
@@ -31,11 +41,14 @@ struct DepositPass {
   ColumnLattice<Dim> columns;
   std::int64_t* deposited;
   std::uint8_t* wetted;
+  std::uint8_t* content;
   AtomicAdd atomic_add_to;
 
   HOST_DEVICE void operator()(Index i) const {
     const Record& r = records[i];
     if (r.volume == 0) return;
+    const std::int64_t nearest = columns.nearest(positions[i]);
+    if (nearest >= 0) content[nearest] = column_node::fluid;
     float share[Dim];
     int node[Dim];
     for (int k = 0; k < Dim; ++k) node[k] = columns.below(k, positions[i].x[axis<Dim>(k)], share[k]);
@@ -63,37 +76,19 @@ struct DepositPass {
   }
 };
 
-/// Pass over the columns: height of sediment above each node, its own half included, and the bed's surface: where one
-/// spacing of sediment lies above, so that flying grains are not taken for it. Sediment that hovers over a gap, a node
-/// with less than a tenth of a full one, is no load on what lies below.
+/// Pass over the walls: marks the nodes next to them, also where fluid has marked them.
 template <int Dim>
-struct HeightAbovePass {
-  using reads = Reads<>;
+struct MarkWallsPass {
+  using reads = Reads<field::position>;
   using writes = Writes<>;
 
+  const Position* positions;
   ColumnLattice<Dim> columns;
-  const std::int64_t* deposited;
-  float* height_above;
-  float* surface;
-  float height_per_quantum;  // [m]
-  float spacing;             // [m]
+  std::uint8_t* content;
 
-  HOST_DEVICE void operator()(Index column) const {
-    const int levels = columns.levels();
-    const std::int64_t base = static_cast<std::int64_t>(column) * levels;
-    std::int64_t above = 0;
-    float next = 0;
-    surface[column] = no_surface;
-    for (int level = levels - 1; level >= 0; --level) {
-      const std::int64_t own = deposited[base + level];
-      if (static_cast<float>(own) * height_per_quantum < 0.1F * spacing) above = 0, next = 0;
-      const float height = static_cast<float>(2 * above + own) * (0.5F * height_per_quantum);
-      if (next < spacing && height >= spacing) {
-        surface[column] = (static_cast<float>(level) + (height - spacing) / (height - next)) * spacing;
-      }
-      height_above[base + level] = next = height;
-      above += own;
-    }
+  HOST_DEVICE void operator()(Index i) const {
+    const std::int64_t nearest = columns.nearest(positions[i]);
+    if (nearest >= 0) content[nearest] = column_node::wall;
   }
 };
 

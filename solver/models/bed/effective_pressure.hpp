@@ -2,6 +2,7 @@
 
 #include "solver/models/bed/arrays.hpp"
 #include "solver/models/bed/bed_slope.hpp"
+#include "solver/models/bed/column_surface.hpp"
 #include "solver/models/bed/laplace_pressure.hpp"
 
 // Effective pressure = submerged weight of the sediment above (or what the scene has chosen). The dynamic pressure of
@@ -41,15 +42,8 @@ struct EffectivePressurePass {
   }
 
   HOST_DEVICE float slope_at(Index i) const {
-    int column = 0;
-    for (int k = Dim - 2; k >= 0; --k) {
-      float share;
-      const int node = columns.below(k, positions[i].x[axis<Dim>(k)], share);
-      const int nearest = columns.inside(k, share < 0.5F ? node : node + 1);
-      if (nearest < 0) return 0;
-      column = column * columns.nodes[k] + nearest;
-    }
-    return slope[column];
+    const int column = columns.nearest_column(positions[i]);
+    return column < 0 ? 0 : slope[column];
   }
 
   HOST_DEVICE float mean_height_above(Index i) const {
@@ -98,33 +92,47 @@ void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, C
   weight.surface.resize(static_cast<std::size_t>(columns.columns()));
   weight.slope.resize(static_cast<std::size_t>(columns.columns()));
   weight.wetted.resize(static_cast<std::size_t>(columns.columns()));
+  weight.content.resize(nodes);
+  weight.covered.resize(static_cast<std::size_t>(columns.columns()));
   std::int64_t* deposited = weight.deposited.data();
   std::uint8_t* wetted = weight.wetted.data();
+  std::uint8_t* content = weight.content.data();
+  std::uint8_t* covered = weight.covered.data();
+  float* surface = weight.surface.data();
   const int levels = columns.levels();
   on.for_each(static_cast<Index>(columns.columns()), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index column) {
                 wetted[column] = 0;
                 for (int level = 0; level < levels; ++level) {
                   deposited[static_cast<std::int64_t>(column) * levels + level] = 0;
+                  content[static_cast<std::int64_t>(column) * levels + level] = column_node::empty;
                 }
               }));
   const auto add = [] HOST_DEVICE(std::int64_t * to, std::int64_t amount) { Device::atomic_add(to, amount); };
+  const Position* positions = p.position.data();
   on.for_each(p.fluid_count,
-              DepositPass<Dim, decltype(add)>{p.record.data(), p.position.data(), columns, deposited, wetted, add});
+              DepositPass<Dim, decltype(add)>{p.record.data(), positions, columns, deposited, wetted, content, add});
+  const MarkWallsPass<Dim> mark_walls{positions, columns, content};
+  const Record* records = p.record.data();
+  on.for_each(p.count, declare<Reads<field::matter, field::position>, Writes<>>([=] HOST_DEVICE(Index i) {
+                if (is_wall(records[i])) mark_walls(i);
+              }));
   const double column_area = std::pow(scene.spacing, Dim - 1);
   const auto spacing = static_cast<float>(scene.spacing);
   const auto reach = static_cast<float>(2 * scene.smoothing_length / scene.spacing);
   const auto all_columns = static_cast<Index>(columns.columns());
+  const ColumnWalk first{deposited, content, static_cast<float>(1 / (columns.quanta_per_volume * column_area)),
+                         spacing};
+  on.for_each(all_columns, ColumnSurfacePass<Dim>{columns, first, surface, covered});
+  on.for_each(all_columns, CoveredSurfacePass<Dim>{columns, covered, surface});
+  on.for_each(all_columns, HeightAbovePass<Dim>{columns, first, surface, covered, weight.height_above.data()});
   on.for_each(all_columns,
-              HeightAbovePass<Dim>{columns, deposited, weight.height_above.data(), weight.surface.data(),
-                                   static_cast<float>(1 / (columns.quanta_per_volume * column_area)), spacing});
-  on.for_each(all_columns, ColumnSlopePass<Dim>{columns, weight.surface.data(), weight.slope.data(), spacing,
-                                                static_cast<int>(reach)});
+              ColumnSlopePass<Dim>{columns, surface, weight.slope.data(), spacing, static_cast<int>(reach)});
   const EffectivePressure closure = scene.sediment.effective_pressure;
   const bool by_column = closure == EffectivePressure::column ||
                          (closure == EffectivePressure::laplace && largest_effective_pressure(on, p) == 0);
-  on.for_each(p.fluid_count, EffectivePressurePass<Dim>{p.record.data(), p.position.data(), p.sediment.data(), columns,
-                                                        weight.height_above.data(), weight.slope.data(), wetted,
-                                                        scene.sediment, reach, by_column});
+  on.for_each(p.fluid_count,
+              EffectivePressurePass<Dim>{records, positions, p.sediment.data(), columns, weight.height_above.data(),
+                                         weight.slope.data(), wetted, scene.sediment, reach, by_column});
 }
 
 /// Particle pass over the bed: effective pressure as a share of the equation of state's.
