@@ -10,9 +10,11 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "gencase/height_field.hpp"
+#include "gencase/mesh_bodies.hpp"
 #include "gencase/mesh_defects.hpp"
 #include "gencase/mesh_reader.hpp"
 #include "gencase/mesh_repair.hpp"
+#include "gencase/mesh_sheets.hpp"
 #include "gencase/polygon.hpp"
 #include "gencase/polyhedron.hpp"
 #include "gencase/tessellation.hpp"
@@ -41,11 +43,12 @@ Vec3 placed(const Shape& shape, const Vec3& p) {
   return result;
 }
 
-Triangles read_surface(const Case& scene, const Shape& shape) {
-  const std::filesystem::path file = scene.folder / shape.file;
+Triangles read_surface(const Case& scene, const Shape& shape, const Notes& notes) {
   Triangles surface;
   try {
-    surface = triangulate(read_mesh(file));
+    const MeshFile file = read_mesh(scene.folder / shape.file);
+    for (const std::string& remark : file.remarks) notes.say(fmt::format("{}: {}", begin_of(scene, shape), remark));
+    surface = triangulate(file.soup);
   } catch (const InputError& error) {
     throw InputError(where(scene, shape) + ": " + error.what());
   }
@@ -79,12 +82,12 @@ void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bo
   }
 }
 
-/// Limits of a repair: it welds points that the lattice cannot resolve, and fills holes of a few spacings or of a small
-/// share of the body.
+/// Limits of a repair: it welds points and closes slits that the lattice cannot resolve, and fills holes of a few
+/// spacings or of a small share of the body.
 RepairLimits limits_of(const Case& scene, const Triangles& surface) {
   const Bounds bounds = bounds_of(surface);
   const double spacing = scene.numerics.spacing;
-  return {1e-3 * spacing, std::max(4 * spacing, 0.05 * (bounds.upper - bounds.lower).norm())};
+  return {1e-3 * spacing, 0.1 * spacing, std::max(4 * spacing, 0.05 * (bounds.upper - bounds.lower).norm())};
 }
 
 void refuse_defects(const Case& scene, const Shape& shape, const Triangles& surface, const MeshDefects& defects,
@@ -108,17 +111,24 @@ Triangles repaired(const Case& scene, const Shape& shape, const Triangles& surfa
   Repaired result = repair(surface, limits_of(scene, surface));
   if (!result.changes.empty())
     notes.say(fmt::format("{} repaired: {}", begin_of(scene, shape), fmt::join(result.changes, ", ")));
+  for (const std::string& change : result.judgement) notes.say(begin_of(scene, shape) + " " + change);
   return std::move(result.surface);
 }
 
-/// Refuses a surface that does not bound a volume; turns one that is inside out.
-Triangles checked(const Case& scene, const Shape& shape, Triangles surface, bool closed, const Notes& notes) {
-  if (shape.repair) surface = repaired(scene, shape, surface, notes);
-  const MeshDefects defects = find_defects(surface, closed);
+/// Refuses a surface that cannot be used as it is meant to; turns bodies that are inside out.
+Triangles checked(const Case& scene, const Shape& shape, Triangles surface, SurfaceUse use, const Notes& notes) {
+  if (shape.repair && use != SurfaceUse::plate) surface = repaired(scene, shape, surface, notes);
+  if (use == SurfaceUse::body) {
+    if (const std::size_t faces = cancel_back_to_back(surface); faces > 0)
+      notes.say(fmt::format("{}: {} faces between two bodies dropped", begin_of(scene, shape), faces));
+    part_sheets(surface);
+  }
+  const MeshDefects defects = find_defects(surface, use);
   if (defects.any()) refuse_defects(scene, shape, surface, defects, notes);
-  if (!closed || volume(surface) >= 0) return surface;
-  notes.say(begin_of(scene, shape) + " is inside out and was turned");
-  return turned(std::move(surface));
+  if (use != SurfaceUse::body) return surface;
+  Judged judged = judge_bodies(surface);
+  for (const std::string& change : judged.changes) notes.say(begin_of(scene, shape) + " " + change);
+  return std::move(judged.surface);
 }
 
 void check_thickness(const Case& scene, const Shape& shape, const Triangles& surface) {
@@ -202,8 +212,9 @@ RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& no
         extrude(counter_clockwise(polygon), 1, scene.domain.from.y() - beyond, scene.domain.to.y() + beyond));
   }
   try {
-    return make_body(scene, shape,
-                     checked(scene, shape, closed_downward(triangulated(survey.points), shape.base), true, notes));
+    return make_body(
+        scene, shape,
+        checked(scene, shape, closed_downward(triangulated(survey.points), shape.base), SurfaceUse::body, notes));
   } catch (const NoHeightField& error) {
     refuse(scene, shape, error.what());
   }
@@ -216,11 +227,11 @@ std::string where(const Case& scene, const Shape& shape) {
 }
 
 RegionPointer make_mesh(const Case& scene, const Shape& shape, double plate_thickness, const Notes& notes) {
-  Triangles surface = read_surface(scene, shape);
+  Triangles surface = read_surface(scene, shape, notes);
   check_unit(scene, shape, bounds_of(surface));
   check_inside_domain(scene, shape, bounds_of(surface));
   const bool plate = is_wall(shape) && shape.side == WallSide::both;
-  surface = checked(scene, shape, std::move(surface), !plate, notes);
+  surface = checked(scene, shape, std::move(surface), plate ? SurfaceUse::plate : SurfaceUse::body, notes);
   if (plate && scene.info.dimension == 2)
     refuse(scene, shape, "is a plate (side = \"both\"), which 3-D scenes have only; use a thin box or prism");
   if (plate) return make_plate(std::move(surface), plate_thickness);
@@ -232,13 +243,14 @@ RegionPointer make_mesh(const Case& scene, const Shape& shape, double plate_thic
 RegionPointer make_bathymetry(const Case& scene, const Shape& shape, const Notes& notes) {
   const std::string extension = std::filesystem::path(shape.file).extension().string();
   if (extension == ".csv" || extension == ".CSV") return make_survey(scene, shape, notes);
-  Triangles surface = read_surface(scene, shape);
+  Triangles surface = read_surface(scene, shape, notes);
   check_unit(scene, shape, bounds_of(surface));
   check_inside_domain(scene, shape, bounds_of(surface));
   check_base(scene, shape, surface.points);
-  surface = checked(scene, shape, std::move(surface), false, notes);
+  surface = checked(scene, shape, std::move(surface), SurfaceUse::ground, notes);
   try {
-    return make_body(scene, shape, checked(scene, shape, closed_downward(surface, shape.base), true, notes));
+    return make_body(scene, shape,
+                     checked(scene, shape, closed_downward(surface, shape.base), SurfaceUse::body, notes));
   } catch (const NoHeightField& error) {
     refuse(scene, shape, error.what());
   }
