@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "gencase/height_field.hpp"
@@ -15,8 +14,10 @@
 #include "gencase/mesh_reader.hpp"
 #include "gencase/mesh_repair.hpp"
 #include "gencase/mesh_sheets.hpp"
+#include "gencase/places.hpp"
 #include "gencase/polygon.hpp"
 #include "gencase/polyhedron.hpp"
+#include "gencase/survey_reader.hpp"
 #include "gencase/tessellation.hpp"
 
 namespace thalweg::gencase {
@@ -24,8 +25,9 @@ namespace {
 
 std::string length(double metres) { return format_quantity(metres, "m"); }
 
-std::string place(const Vec3& p) {
-  return fmt::format("x = {}, y = {}, z = {}", length(p.x()), length(p.y()), length(p.z()));
+std::string place(const Case& scene, const Vec3& p) {
+  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
+  return fmt::format("x = {}, y = {}, z = {}", text(p.x()), text(p.y()), text(p.z()));
 }
 
 /// "case.toml:12: shape "pier": pier.stl".
@@ -70,6 +72,7 @@ void check_unit(const Case& scene, const Shape& shape, const Bounds& bounds) {
 }
 
 void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bounds) {
+  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.info.dimension == 2 && axis == 1) continue;
     if (bounds.upper[axis] > scene.domain.from[axis] && bounds.lower[axis] < scene.domain.to[axis]) continue;
@@ -77,8 +80,8 @@ void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bo
         scene, shape,
         fmt::format("lies outside of the domain: it reaches from {} to {} in {}, the domain from {} to {}; `move` it "
                     "or enlarge [domain]",
-                    length(bounds.lower[axis]), length(bounds.upper[axis]), "xyz"[axis],
-                    length(scene.domain.from[axis]), length(scene.domain.to[axis])));
+                    text(bounds.lower[axis]), text(bounds.upper[axis]), "xyz"[axis], text(scene.domain.from[axis]),
+                    text(scene.domain.to[axis])));
   }
 }
 
@@ -139,7 +142,7 @@ void check_thickness(const Case& scene, const Shape& shape, const Triangles& sur
   refuse(scene, shape,
          fmt::format("is {} thin at {}, less than two spacings of {}, over {:.2g} % of its skin; use a smaller "
                      "numerics.spacing, thicken it, or make it a plate with side = \"both\"",
-                     length(thickness.least), place(thickness.where), length(scene.numerics.spacing),
+                     length(thickness.least), place(scene, thickness.where), length(scene.numerics.spacing),
                      100 * thickness.thin_share));
 }
 
@@ -152,29 +155,31 @@ RegionPointer make_body(const Case& scene, const Shape& shape, Triangles surface
 
 bool is_wall(const Shape& shape) { return shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall; }
 
-/// Measured points of a table [m], placed as the shape says.
-struct Survey {
-  std::vector<Vec3> points;
-  bool has_y = true;
-};
-
-Survey read_survey(const Case& scene, const Shape& shape) {
-  Survey survey;
+/// Measured points [m], placed as the shape says. Reports what the reader took for granted, and takes the mean of
+/// heights at one place that differ by no more than a hundredth of the spacing.
+SurveyFile placed_survey(const Case& scene, const Shape& shape, const Notes& notes) {
+  SurveyFile survey;
   try {
-    const CsvTable table = CsvTable::read(scene.folder / shape.file);
-    const std::vector<double> x = table.numbers("x", "m");
-    const std::vector<double> z = table.numbers("z", "m");
-    survey.has_y = table.has("y");
-    const std::vector<double> y = survey.has_y ? table.numbers("y", "m") : std::vector<double>(x.size(), 0.0);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const Vec3 p = placed(shape, Vec3(x[i], y[i], z[i]));
-      if (!p.allFinite())
-        throw InputError(table.where(i) + ": a coordinate is missing; give every point all of them, or remove the row");
-      survey.points.push_back(p);
-    }
+    survey = read_survey(scene.folder / shape.file);
   } catch (const InputError& error) {
     throw InputError(where(scene, shape) + ": " + error.what());
   }
+  for (const std::string& remark : survey.remarks) notes.say(fmt::format("{}: {}", begin_of(scene, shape), remark));
+  for (Vec3& p : survey.points) p = placed(shape, p);
+  const std::vector<Vec3> given = survey.points;
+  const Repeated repeated = merge_repeated(survey.points);
+  if (repeated.places == 0) return survey;
+  const Vec3& p = given[repeated.first];
+  const double spacing = scene.numerics.spacing;
+  const std::string found =
+      fmt::format("gives two heights at {} place{}; the largest difference is {} at x = {}{}, lines {} and {}",
+                  repeated.places, repeated.places == 1 ? "" : "s", length(repeated.largest),
+                  placed_text(p.x(), spacing), survey.has_y ? fmt::format(", y = {}", placed_text(p.y(), spacing)) : "",
+                  survey.lines[repeated.first], survey.lines[repeated.second]);
+  constexpr double tolerance = 0.01;  // [spacings]
+  if (repeated.largest > tolerance * spacing * (1 + 1e-6))
+    refuse(scene, shape, found + "; remove the points that are wrong");
+  notes.warn(fmt::format("{} {}; their means are taken", begin_of(scene, shape), found));
   return survey;
 }
 
@@ -183,16 +188,13 @@ void check_base(const Case& scene, const Shape& shape, const std::vector<Vec3>& 
       std::min_element(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
   if (lowest->z() > shape.base) return;
   refuse(scene, shape,
-         fmt::format("reaches down to {} at {}, and `base` is {}; lower the base", length(lowest->z()), place(*lowest),
-                     length(shape.base)));
+         fmt::format("reaches down to {} at {}, and `base` is {}; lower the base", length(lowest->z()),
+                     place(scene, *lowest), length(shape.base)));
 }
 
 /// The polygon (x, z) between a surface that does not change in y and the base.
 std::vector<Eigen::Vector2d> section(const Case& scene, const Shape& shape, std::vector<Vec3> points) {
   std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (points[i].x() == points[i - 1].x())
-      refuse(scene, shape, fmt::format("gives two heights at x = {}; remove one of the points", length(points[i].x())));
   if (points.size() < 2) refuse(scene, shape, "has fewer than two points; give at least two");
   std::vector<Eigen::Vector2d> polygon{{points.front().x(), shape.base}, {points.back().x(), shape.base}};
   for (auto p = points.rbegin(); p != points.rend(); ++p) polygon.emplace_back(p->x(), p->z());
@@ -200,7 +202,7 @@ std::vector<Eigen::Vector2d> section(const Case& scene, const Shape& shape, std:
 }
 
 RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& notes) {
-  const Survey survey = read_survey(scene, shape);
+  const SurveyFile survey = placed_survey(scene, shape, notes);
   if (survey.points.empty()) refuse(scene, shape, "has no point; give at least three");
   check_base(scene, shape, survey.points);
   if (!survey.has_y) {
@@ -241,8 +243,7 @@ RegionPointer make_mesh(const Case& scene, const Shape& shape, double plate_thic
 }
 
 RegionPointer make_bathymetry(const Case& scene, const Shape& shape, const Notes& notes) {
-  const std::string extension = std::filesystem::path(shape.file).extension().string();
-  if (extension == ".csv" || extension == ".CSV") return make_survey(scene, shape, notes);
+  if (is_survey(shape.file)) return make_survey(scene, shape, notes);
   Triangles surface = read_surface(scene, shape, notes);
   check_unit(scene, shape, bounds_of(surface));
   check_inside_domain(scene, shape, bounds_of(surface));
