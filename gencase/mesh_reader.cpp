@@ -17,6 +17,7 @@
 
 #include "common/error.hpp"
 #include "gencase/ply_check.hpp"
+#include "gencase/survey_reader.hpp"
 #include "gencase/words.hpp"
 
 namespace thalweg::gencase {
@@ -169,9 +170,10 @@ MeshFile read_mesh(const std::filesystem::path& file) {
   const auto format = formats.find(extension);
   if (format == formats.end() && extension != ".vtp")
     throw InputError(
-        fmt::format("{}: meshes of the kind \"{}\" are not read; give .stl, .obj, .off, .ply or .vtp, and "
-                    "points of a survey as a shape of the kind \"bathymetry\"",
-                    file.string(), extension));
+        is_survey(file)
+            ? fmt::format("{}: holds points and no surface; write kind = \"bathymetry\" for it", file.string())
+            : fmt::format("{}: meshes of the kind \"{}\" are not read; give .stl, .obj, .off, .ply or .vtp",
+                          file.string(), extension));
   if (extension == ".vtp") {
     MeshFile read{read_vtp_surface(file), {}};
     try {

@@ -201,6 +201,18 @@ std::vector<Eigen::Vector2d> section(const Case& scene, const Shape& shape, std:
   return polygon;
 }
 
+/// The points that the lattice can tell apart: more than some ten thousand, which exact cuts against other walls take
+/// minutes for, are averaged over squares of a quarter of the spacing.
+std::vector<Vec3> resolved(const Case& scene, const Shape& shape, const std::vector<Vec3>& points, const Notes& notes) {
+  constexpr std::size_t many = 20000;
+  if (points.size() <= many) return points;
+  const double square = 0.25 * scene.numerics.spacing;
+  std::vector<Vec3> means = averaged(points, square);
+  notes.say(fmt::format("{}: {} points are averaged over squares of {}, a quarter of the spacing, to {}",
+                        begin_of(scene, shape), points.size(), length(square), means.size()));
+  return means;
+}
+
 RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& notes) {
   const SurveyFile survey = placed_survey(scene, shape, notes);
   if (survey.points.empty()) refuse(scene, shape, "has no point; give at least three");
@@ -213,10 +225,10 @@ RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& no
     return make_polyhedron(
         extrude(counter_clockwise(polygon), 1, scene.domain.from.y() - beyond, scene.domain.to.y() + beyond));
   }
+  const std::vector<Vec3> points = resolved(scene, shape, survey.points, notes);
   try {
-    return make_body(
-        scene, shape,
-        checked(scene, shape, closed_downward(triangulated(survey.points), shape.base), SurfaceUse::body, notes));
+    // A triangulation of points above the base bounds a body by its making; no search for defects is needed.
+    return make_body(scene, shape, closed_downward(triangulated(points), shape.base));
   } catch (const NoHeightField& error) {
     refuse(scene, shape, error.what());
   }

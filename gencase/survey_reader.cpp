@@ -1,5 +1,8 @@
 #include "gencase/survey_reader.hpp"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Projection_traits_xy_3.h>
+#include <CGAL/convex_hull_2.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +21,7 @@ namespace thalweg::gencase {
 namespace {
 
 namespace fs = std::filesystem;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 std::string small(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -222,6 +226,33 @@ Repeated merge_repeated(std::vector<Vec3>& points) {
     if (!dropped[i]) points[kept++] = points[i];
   points.resize(kept);
   return repeated;
+}
+
+std::vector<Vec3> averaged(const std::vector<Vec3>& points, double square) {
+  Vec3 lower = points.front();
+  for (const Vec3& p : points) lower = lower.cwiseMin(p);
+  const auto square_of = [&](const Vec3& p) {
+    return std::pair(std::floor((p.x() - lower.x()) / square), std::floor((p.y() - lower.y()) / square));
+  };
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](auto i, auto j) { return std::pair(square_of(points[i]), i) < std::pair(square_of(points[j]), j); });
+  std::vector<Vec3> means;
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    Vec3 sum = Vec3::Zero();
+    for (end = begin; end < order.size() && square_of(points[order[end]]) == square_of(points[order[begin]]); ++end)
+      sum += points[order[end]];
+    means.emplace_back(sum / static_cast<double>(end - begin));
+  }
+  std::vector<Kernel::Point_3> outline;
+  std::vector<Kernel::Point_3> all;
+  all.reserve(points.size());
+  for (const Vec3& p : points) all.emplace_back(p.x(), p.y(), p.z());
+  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(outline), CGAL::Projection_traits_xy_3<Kernel>());
+  for (const auto& p : outline) means.emplace_back(p.x(), p.y(), p.z());
+  merge_repeated(means);
+  return means;
 }
 
 }  // namespace thalweg::gencase

@@ -34,4 +34,8 @@ struct Repeated {
 /// Leaves one point at each place, with the mean of its heights.
 Repeated merge_repeated(std::vector<Vec3>& points);
 
+/// One point for each square of the width `square` [m] in x and y that has points: their mean. The corners of the
+/// points' convex outline stay beside them, so that the survey ends where it did.
+std::vector<Vec3> averaged(const std::vector<Vec3>& points, double square);
+
 }  // namespace thalweg::gencase
