@@ -14,12 +14,8 @@ namespace {
 
 constexpr double heavier_than_liquids = 2000;  // [kg/m^3] water with as much salt or mud as it can carry has less
 
-bool water_is_no_water(const Case& c) { return c.water.density > heavier_than_liquids; }
-
-bool bed_floats(const Case& c) {
-  return c.has_sediment() && std::any_of(c.sediments.begin(), c.sediments.end(), [&](const auto& named) {
-           return named.second.bed_density() < c.water.density && named.second.grain_density > c.water.density;
-         });
+std::string water_is_no_water(const Case& c) {
+  return c.water.density > heavier_than_liquids ? "materials.water.density" : "";
 }
 
 /// The least depth [m] of a bed that is a box or a layer; infinite for others, whose extent only gencase knows.
@@ -33,16 +29,18 @@ double least_depth(const Case& c) {
   return least;
 }
 
-bool grains_exceed_the_bed(const Case& c) {
-  return std::any_of(c.sediments.begin(), c.sediments.end(),
-                     [&](const auto& named) { return named.second.grain_diameter > least_depth(c); });
+std::string grains_exceed_the_bed(const Case& c) {
+  for (const auto& [name, material] : c.sediments)
+    if (material.grain_diameter > least_depth(c)) return "materials." + name + ".grain_diameter";
+  return "";
 }
 
-bool falls_through_its_period(const Case& c) {
+std::string falls_through_its_period(const Case& c) {
   Eigen::Index down = 0;
-  if (c.domain.gravity.cwiseAbs().maxCoeff(&down) == 0) return false;
+  if (c.domain.gravity.cwiseAbs().maxCoeff(&down) == 0) return "";
   const std::string axis(1, "xyz"[down]);
-  return std::find(c.domain.periodic.begin(), c.domain.periodic.end(), axis) != c.domain.periodic.end();
+  const bool periodic = std::find(c.domain.periodic.begin(), c.domain.periodic.end(), axis) != c.domain.periodic.end();
+  return periodic ? "domain.periodic" : "";
 }
 
 /// How far [m] a motion along a line has gone at the end of the run; 0 for others.
@@ -84,7 +82,7 @@ bool passes_a_closed_face(const Shape& box, const Vec3& way, const Shape& contai
   return false;
 }
 
-bool drives_through_a_wall(const Case& c) {
+std::string drives_through_a_wall(const Case& c) {
   for (const Motion& motion : c.motions) {
     if (motion.direction.norm() == 0) continue;
     const Vec3 way = travelled(motion, c.output.end) * motion.direction.normalized();
@@ -93,42 +91,39 @@ bool drives_through_a_wall(const Case& c) {
       for (const Shape& container : c.shapes)
         if (container.role == ShapeRole::wall && container.side == WallSide::outside &&
             container.kind == ShapeKind::box && passes_a_closed_face(box, way, container, c))
-          return true;
+          return "motion." + motion.name;
     }
   }
-  return false;
+  return "";
 }
 
 constexpr double farthest = 1000;  // [domains] that a wall may go in a run
 
-bool leaves_for_good(const Case& c) {
+std::string leaves_for_good(const Case& c) {
   const double domain = (c.domain.to - c.domain.from).norm();
-  return std::any_of(c.motions.begin(), c.motions.end(), [&](const Motion& motion) {
-    return !(std::abs(travelled(motion, c.output.end)) <= farthest * domain);
-  });
+  for (const Motion& motion : c.motions)
+    if (!(std::abs(travelled(motion, c.output.end)) <= farthest * domain)) return "motion." + motion.name;
+  return "";
 }
 
 }  // namespace
 
 std::vector<PhysicsCheck> physics_checks() {
   return {
-      {"Water heavier than any watery liquid", water_is_no_water, "materials.water.density",
+      {"Water heavier than any watery liquid", water_is_no_water,
        fmt::format("materials.water.density is above {} kg/m^3, more than water can carry in salt or mud",
                    heavier_than_liquids),
        "give it in kg/m^3; water has 1000"},
-      {"A bed lighter than the water over it", bed_floats, "materials.water.density",
-       "the bed, grains and pores together, is lighter than the water and would float up",
-       "give grain_density and porosity of the grains, and the water's density in kg/m^3"},
-      {"Grains larger than the bed is deep", grains_exceed_the_bed, "materials",
+      {"Grains larger than the bed is deep", grains_exceed_the_bed,
        "grain_diameter is larger than the depth of a bed, which is a continuum of grains",
        "give grain_diameter in its unit, as in \"2 mm\", or make the bed deeper"},
-      {"Gravity along a periodic direction", falls_through_its_period, "domain.periodic",
+      {"Gravity along a periodic direction", falls_through_its_period,
        "gravity points along a direction that domain.periodic names, so that fluid falls for ever",
        "take that direction out of periodic and close it with walls"},
-      {"A moving wall driven through a container's wall", drives_through_a_wall, "motion",
+      {"A moving wall driven through a container's wall", drives_through_a_wall,
        "a moving box passes a closed face of its container and takes the water with it",
        "shorten its way, turn its direction round, or open that face"},
-      {"A wall that leaves by far more than the scene", leaves_for_good, "motion",
+      {"A wall that leaves by far more than the scene", leaves_for_good,
        fmt::format("a moving wall goes more than {} times the domain's length", farthest),
        "give its displacements or speed with their units"},
   };

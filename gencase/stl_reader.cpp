@@ -115,7 +115,7 @@ MeshFile read_text(std::string_view text) {
 
 void check_count(const std::string& what, double announced, double bytes, double least) {
   if (announced >= 0 && announced * least <= bytes) return;
-  throw InputError(fmt::format("announces {:.0f} {} and has only {} bytes: it is cut off or damaged; export it again",
+  throw InputError(fmt::format("announces {:.6g} {} and has only {} bytes: it is cut off or damaged; export it again",
                                announced, what, static_cast<std::int64_t>(bytes)));
 }
 

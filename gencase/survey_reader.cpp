@@ -108,7 +108,8 @@ SurveyFile read_points(const fs::path& file) {
     if (cells.size() < 3)
       lines.refuse(fmt::format("a line of {} numbers; give x, y and z on each, separated by blanks", cells.size()));
     wider += cells.size() > 3;
-    survey.points.emplace_back(lines.number(cells[0]), lines.number(cells[1]), lines.number(cells[2]));
+    Vec3& point = survey.points.emplace_back();
+    for (int axis = 0; axis < 3; ++axis) point[axis] = lines.number(cells[static_cast<std::size_t>(axis)]);
     survey.lines.push_back(lines.number());
   }
   survey.remarks.push_back(fmt::format("{} points read as x, y, z in metres times `scale`", survey.points.size()));

@@ -24,8 +24,8 @@ void check_word(const CheckContext& at, const std::string& kind, const std::stri
   });
   const bool begins_well = !name.empty() && name.front() != '.' && name.front() != ' ' && name.back() != ' ';
   if (usable && begins_well && name.size() <= longest_name) return;
-  at.reject(kind, fmt::format("\"{}\" cannot name a {}", shown(name), kind),
-            fmt::format("use letters, digits, blanks and - _ . , + ( ), at most {} in all", longest_name));
+  at.reject(at.path(), fmt::format("\"{}\" cannot name a {}", shown(name), kind),
+            fmt::format("use letters, digits, blanks and - _ . , + ( ), at most {} of them", longest_name));
 }
 
 void check_line_of_text(const CheckContext& at, std::string_view key, const std::string& text) {

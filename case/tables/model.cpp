@@ -38,7 +38,7 @@ void Model::check(const Case& whole, const CheckContext& at) const {
     if (rule.broken(whole)) at.reject(rule.blamed, rule.what, rule.cure);
   });
   for (const PhysicsCheck& each : physics_checks())
-    if (each.met(whole)) at.reject(each.blamed, each.cause, each.cure);
+    if (const std::string blamed = each.met(whole); !blamed.empty()) at.reject(blamed, each.cause, each.cure);
 }
 
 void Model::explain_further(std::ostream& to, std::string_view key) {
