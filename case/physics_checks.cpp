@@ -43,7 +43,7 @@ std::string falls_through_its_period(const Case& c) {
   return periodic ? "domain.periodic" : "";
 }
 
-/// How far [m] a motion along a line has gone at the end of the run; 0 for others.
+/// The way [m] that a motion along a line has gone at the end of the run; 0 for others.
 double travelled(const Motion& motion, double end) {
   switch (motion.kind) {
     case MotionKind::piecewise_linear:

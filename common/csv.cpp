@@ -54,7 +54,7 @@ std::string cell_text(const std::string& cell) {
   return quoted;
 }
 
-// What separates the cells: of commas, semicolons and tabs the one that a heading has most of.
+// The separator of the cells: of commas, semicolons and tabs the one that a heading has most of.
 char separator_of(const std::string& heading) {
   const auto count = [&](char c) { return std::count(heading.begin(), heading.end(), c); };
   char most = ',';
@@ -76,7 +76,7 @@ std::optional<double> number_in(const std::string& cell) {
   return value;
 }
 
-// What is wrong with a cell that should hold a number. Decimal commas are asked about, never guessed.
+// The fault of a cell that should hold a number. Decimal commas are asked about, never guessed.
 std::string fault_of(const std::string& cell, const std::string& column) {
   std::string pointed = cell;
   std::replace(pointed.begin(), pointed.end(), ',', '.');

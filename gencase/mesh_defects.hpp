@@ -24,7 +24,7 @@ struct MeshDefects {
   [[nodiscard]] std::string text() const;
 };
 
-/// What a surface is read for, which decides what counts as a defect of it.
+/// The use of a surface, which decides what counts as a defect of it.
 enum class SurfaceUse {
   body,    // bounds a volume
   ground,  // has one height for each place: open edges are none

@@ -259,7 +259,8 @@ TEST(MeshFile, EveryFormatGivesTheSameBody) {
     const Triangles surface = triangulate(read_mesh(folder / name).soup);
     EXPECT_EQ(surface.points.size(), 8U) << name;
     EXPECT_NEAR(volume(surface), 0.1 * 0.1 * 0.2, 1e-9) << name;
-    EXPECT_FALSE(find_defects(surface, SurfaceUse::body).any()) << name << ": " << find_defects(surface, SurfaceUse::body).text();
+    EXPECT_FALSE(find_defects(surface, SurfaceUse::body).any())
+        << name << ": " << find_defects(surface, SurfaceUse::body).text();
   }
 }
 
@@ -273,7 +274,8 @@ TEST(MeshRepair, CuresWhatItSays) {
   EXPECT_TRUE(find_defects(spoiled, SurfaceUse::body).any());
   const Repaired mended = repair(spoiled, limits);
   EXPECT_THAT(mended.changes, testing::ElementsAre("1 superfluous face dropped", "1 face turned", "1 hole filled"));
-  EXPECT_FALSE(find_defects(mended.surface, SurfaceUse::body).any()) << find_defects(mended.surface, SurfaceUse::body).text();
+  EXPECT_FALSE(find_defects(mended.surface, SurfaceUse::body).any())
+      << find_defects(mended.surface, SurfaceUse::body).text();
   EXPECT_NEAR(volume(mended.surface), 1, 1e-12);
 }
 
@@ -303,7 +305,8 @@ TEST(MeshRepair, WeldsWhatTheLatticeCannotSee) {
   }
   EXPECT_TRUE(find_defects(apart, SurfaceUse::body).any());
   const Repaired mended = repair(apart, {1e-3, 0, 0});
-  EXPECT_FALSE(find_defects(mended.surface, SurfaceUse::body).any()) << find_defects(mended.surface, SurfaceUse::body).text();
+  EXPECT_FALSE(find_defects(mended.surface, SurfaceUse::body).any())
+      << find_defects(mended.surface, SurfaceUse::body).text();
   EXPECT_NEAR(volume(mended.surface), 1, 1e-3);
 }
 
