@@ -134,8 +134,8 @@ void check_container(const Case& scene, const Shape& shape, const Region& body) 
   const Vec3 size = body.bounds().upper - body.bounds().lower;
   const double cell = size.prod() / (cells * cells * cells);
   throw InputError(fmt::format(
-      "{}: {} is a tank with a wall of its own: with side = \"outside\" water fills its material ({:.2g} m^3) and not "
-      "its hollow ({:.2g} m^3); write side = \"inside\" and fill the hollow with a box of water, which enters no wall",
+      "{}: {} is a tank with a wall of its own: with side = \"outside\" water fills its material ({:.2g} m^3), not its "
+      "hollow ({:.2g} m^3); write side = \"inside\" and fill it with a box of water",
       where(scene, shape), shape.file, material * cell, hollow * cell));
 }
 

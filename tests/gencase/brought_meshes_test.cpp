@@ -305,7 +305,7 @@ TEST(ThickTank, IsAskedAboutAndFilledByABox) {
   fill_to(scene, 0.1);
   EXPECT_THAT(refusal(scene), HasSubstr("is a tank with a wall of its own: with side = \"outside\" water fills its "
                                         "material"));
-  EXPECT_LE(refusal(scene).size(), 400U);
+  EXPECT_LE(refusal(scene).size(), 300U);
   scene.shapes[0].side = WallSide::inside;
   EXPECT_THAT(refusal(scene), HasSubstr("a tank that is drawn with its wall is filled by a box of water"));
   scene.shapes.pop_back();
