@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <ostream>
 
 #include "common/error.hpp"
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 class LineSplitter {
  public:
   LineSplitter() { csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI); }
+  void separate_by(char separator) { csv_set_delim(&parser_, static_cast<unsigned char>(separator)); }
   ~LineSplitter() { csv_free(&parser_); }
   LineSplitter(const LineSplitter&) = delete;
   LineSplitter& operator=(const LineSplitter&) = delete;
@@ -50,6 +52,42 @@ std::string cell_text(const std::string& cell) {
   std::string quoted(2 * cell.size() + 2, '\0');
   quoted.resize(csv_write(quoted.data(), quoted.size(), cell.data(), cell.size()));
   return quoted;
+}
+
+// The separator of the cells: of commas, semicolons and tabs the one that a heading has most of.
+char separator_of(const std::string& heading) {
+  const auto count = [&](char c) { return std::count(heading.begin(), heading.end(), c); };
+  char most = ',';
+  for (const char c : {';', '\t'})
+    if (count(c) > count(most)) most = c;
+  return most;
+}
+
+std::string shown(const std::string& cell) {
+  constexpr std::size_t most = 24;
+  return cell.size() <= most ? cell : cell.substr(0, most) + "...";
+}
+
+std::optional<double> number_in(const std::string& cell) {
+  double value = 0;
+  const char* const end = cell.data() + cell.size();
+  const auto parsed = std::from_chars(cell.data(), end, value);
+  if (parsed.ec != std::errc{} || parsed.ptr != end) return std::nullopt;
+  return value;
+}
+
+// The fault of a cell that should hold a number. Decimal commas are asked about, never guessed.
+std::string fault_of(const std::string& cell, const std::string& column) {
+  std::string pointed = cell;
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  if (pointed != cell && number_in(pointed))
+    return fmt::format("\"{}\" in the column \"{}\" has a decimal comma; write {} in the whole table", shown(cell),
+                       column, shown(pointed));
+  if (cell.find_first_of(" \t;") != std::string::npos)
+    return fmt::format("\"{}\" in the column \"{}\" is no number; separate the cells by what separates the heading's",
+                       shown(cell), column);
+  return fmt::format("\"{}\" in the column \"{}\" is no number; correct it or leave the cell empty", shown(cell),
+                     column);
 }
 
 CsvColumn column_of(const std::string& heading) {
@@ -83,6 +121,7 @@ CsvTable CsvTable::read(const fs::path& file) {
         table.comments.push_back(line.substr(std::min(line.size(), line.find_first_not_of("# "))));
       continue;
     }
+    if (table.columns_.empty()) splitter.separate_by(separator_of(line));
     std::vector<std::string> cells;
     try {
       cells = splitter.split(line);
@@ -91,6 +130,11 @@ CsvTable CsvTable::read(const fs::path& file) {
     }
     if (table.columns_.empty()) {
       table.heading_line_ = line_number;
+      if (std::all_of(cells.begin(), cells.end(), [](const std::string& cell) { return number_in(cell).has_value(); }))
+        throw InputError(
+            fmt::format("{}: there is no heading line, only numbers; begin with names and units, as in \"x [m], y [m], "
+                        "z [m]\"",
+                        table.where()));
       table.take_heading(cells);
       continue;
     }
@@ -163,17 +207,27 @@ std::vector<double> CsvTable::numbers(std::string_view name, std::string_view un
   }
   std::vector<double> result;
   result.reserve(cells_.size());
-  for (const std::string& cell : texts(name)) {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    const char* const end = cell.data() + cell.size();
-    if (const auto parsed = std::from_chars(cell.data(), end, value);
-        !cell.empty() && (parsed.ec != std::errc{} || parsed.ptr != end)) {
-      throw InputError(fmt::format("{}: \"{}\" in the column \"{}\" is no number; correct it or leave the cell empty",
-                                   where(result.size()), cell, name));
-    }
-    result.push_back(value);
+  const std::size_t index = index_of(name);
+  std::string fault;
+  std::vector<int> further;  // lines of other cells that are no number
+  for (std::size_t row = 0; row < cells_.size(); ++row) {
+    const std::string& cell = cells_[row][index];
+    const auto value = number_in(cell);
+    result.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (value || cell.empty()) continue;
+    if (fault.empty())
+      fault = fmt::format("{}: {}", where(row), fault_of(cell, std::string(name)));
+    else if (row < lines_.size())
+      further.push_back(lines_[row]);
   }
-  return result;
+  if (fault.empty()) return result;
+  constexpr std::size_t listed = 5;
+  const std::size_t count = further.size();
+  if (count > listed) further.resize(listed);
+  if (count > 0)
+    fault += fmt::format(" (as in line {}{})", fmt::join(further, ", "),
+                         count > listed ? fmt::format(" and {} more", count - listed) : "");
+  throw InputError(fault);
 }
 
 std::string CsvTable::where(std::size_t row) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -41,6 +42,34 @@ class Progress {
   double end_;
   int shown_ = 0;  // [%] tenth of the last line in a log
   ProgressLine line_{{.width = 90, .log_pause = std::chrono::milliseconds(0)}};
+};
+
+/// A way to a folder that OpenFOAM can go: it cuts paths at blanks and quotes. Where the folder's own path has such a
+/// character, the way is a link in the system's temporary folder, which goes with this object.
+class PlainPath {
+ public:
+  explicit PlainPath(const fs::path& folder) : path_(fs::absolute(folder)) {
+    if (path_.string().find_first_of(" \t\"'`;{}$\\") == std::string::npos) return;
+    std::string name = (fs::temp_directory_path() / "thalweg-foam-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw RunError(name + ": cannot be made; give a temporary folder that can be written to (TMPDIR)");
+    temporary_ = name;
+    fs::create_directory_symlink(path_, temporary_ / "case");
+    path_ = temporary_ / "case";
+  }
+  ~PlainPath() {
+    std::error_code ignored;
+    if (temporary_.empty()) return;
+    fs::remove(temporary_ / "case", ignored);  // the link, not what it leads to
+    fs::remove(temporary_, ignored);
+  }
+  PlainPath(const PlainPath&) = delete;
+  PlainPath& operator=(const PlainPath&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  fs::path temporary_;
 };
 
 // The log that Allrun names if one of its programs fails; Allrun's own log if it fails otherwise.
@@ -95,7 +124,9 @@ void require_openfoam() {
 FoamRun run_foam(const fs::path& folder, double end, const std::string& application) {
   const SignalWatch signals;
   const auto start = Clock::now();
-  ChildProcess allrun({"/bin/sh", (folder / "Allrun").string()}, {.log = folder / "log.Allrun", .own_group = true});
+  const PlainPath plain(folder);
+  ChildProcess allrun({"/bin/sh", (plain.path() / "Allrun").string()},
+                      {.log = folder / "log.Allrun", .own_group = true});
   SolverLog log(folder / ("log." + application));
   {
     Progress progress(end);

@@ -4,6 +4,7 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Surface_mesh.h>
 
+#include "gencase/joined_sets.hpp"
 #include "gencase/triangle_mesh.hpp"
 
 namespace thalweg::gencase {
@@ -21,6 +22,19 @@ Mesh to_mesh(const Triangles& surface) {
     if (mesh.add_face(vertices[a], vertices[b], vertices[c]) == Mesh::null_face())
       throw NoManifold("the surface touches itself in an edge");
   return mesh;
+}
+
+/// Makes one point of the ends of edges that rounding to double made equal, and drops the faces without area beside
+/// them.
+Triangles without_short_edges(Triangles surface) {
+  JoinedSets points(surface.points.size());
+  for (const auto& [a, b, c] : surface.corners)
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      if (surface.points[from] == surface.points[to]) points.join(from, to);
+  for (auto& corners : surface.corners)
+    for (std::uint32_t& corner : corners) corner = static_cast<std::uint32_t>(points.root(corner));
+  std::erase_if(surface.corners, [](const auto& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; });
+  return surface;
 }
 
 }  // namespace
@@ -49,7 +63,7 @@ Triangles combine(const Triangles& a, const Triangles& b, Boolean how) {
     throw NoManifold("one of the surfaces intersects itself where they meet");
   }
   if (!valid) throw NoManifold("the surfaces touch in an edge or a corner, where the result would have no inside");
-  return triangles_of(result);
+  return without_short_edges(triangles_of(result));
 }
 
 }  // namespace thalweg::gencase

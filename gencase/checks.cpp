@@ -7,15 +7,17 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "gencase/places.hpp"
 
 namespace thalweg::gencase {
 namespace {
 
 std::string length(double metres) { return format_quantity(metres, "m"); }
 
-std::string place(const Vec3& p, int dimension) {
-  return dimension == 2 ? fmt::format("x = {}, z = {}", length(p.x()), length(p.z()))
-                        : fmt::format("x = {}, y = {}, z = {}", length(p.x()), length(p.y()), length(p.z()));
+std::string place(const Case& scene, const Vec3& p) {
+  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
+  return scene.info.dimension == 2 ? fmt::format("x = {}, z = {}", text(p.x()), text(p.z()))
+                                   : fmt::format("x = {}, y = {}, z = {}", text(p.x()), text(p.y()), text(p.z()));
 }
 
 bool inside_domain(const Case& scene, const Vec3& p) {
@@ -102,20 +104,19 @@ void check_places(const Case& scene, const std::vector<PlacedShape>& shapes, con
   for (const auto& [domain, rooms] : found) {
     for (std::size_t s = 0; s < shapes.size(); ++s) outside_domain[s].add(domain[s]), outside_rooms[s].add(rooms[s]);
   }
-  const int dimension = scene.info.dimension;
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     if (outside_domain[s].count > 0)
       throw InputError(
           fmt::format("{} has {} of its {} particles outside of the domain, the first at {}; enlarge "
                       "[domain] or shrink the shape",
                       where(scene, *shapes[s].shape), outside_domain[s].count, filling.shapes[s].kept,
-                      place(outside_domain[s].first, dimension)));
+                      place(scene, outside_domain[s].first)));
     if (outside_rooms[s].count > 0)
       throw InputError(
           fmt::format("{} has {} of its {} particles outside of every container, the first at {}; shrink "
                       "the shape, or open that face of the container",
                       where(scene, *shapes[s].shape), outside_rooms[s].count, filling.shapes[s].kept,
-                      place(outside_rooms[s].first, dimension)));
+                      place(scene, outside_rooms[s].first)));
   }
 }
 

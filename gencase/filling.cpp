@@ -63,7 +63,10 @@ void settle_column(const std::vector<PlacedShape>& shapes, const std::vector<con
     const PlacedShape& shape = shapes[label - 1U];
     if (skin != skins[label - 1U]) skin = skins[label - 1U], farther_than = 0;
     // All layers of a container are kept: it was made as thick as wanted, and is thicker at its corners.
-    const double reach = shape.is_container() ? std::numeric_limits<double>::infinity() : shape.thickness;
+    // A node as deep as the wall is thick has none, also where rounding puts it a little nearer to the skin.
+    constexpr double rounding = 1e-9;
+    const double reach =
+        shape.is_container() ? std::numeric_limits<double>::infinity() : shape.thickness * (1 - rounding);
     if (farther_than >= reach) {
       label = solid_core;
       continue;

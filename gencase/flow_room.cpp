@@ -1,9 +1,11 @@
 #include "gencase/flow_room.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "gencase/booleans.hpp"
+#include "gencase/polyhedron.hpp"
 #include "gencase/tessellation.hpp"
 
 namespace thalweg::gencase {
@@ -34,7 +36,24 @@ Triangles combine_nudged(const Triangles& a, const Triangles& b, Boolean how, do
   }
 }
 
+/// True for the surface of an axis-parallel box.
+bool is_box(const Triangles& surface) {
+  constexpr std::size_t corners = 8;
+  if (surface.points.size() != corners) return false;
+  const Bounds bounds = bounds_of(surface);
+  return std::all_of(surface.points.begin(), surface.points.end(), [&](const Vec3& p) {
+    return (p.array() == bounds.lower.array() || p.array() == bounds.upper.array()).all();
+  });
+}
+
+/// The part of a surface's body in a box. Boxes need no cutting: an open one reaches 1e30 m beyond its face, where the
+/// cut of two surfaces, rounded, has points twice and faces without area. These make later cuts lose whole bodies.
 Triangles clipped(const Triangles& surface, const Bounds& box) {
+  if (is_box(surface)) {
+    const Bounds own = bounds_of(surface);
+    if (!overlap(own, box)) return {};
+    return tessellate_box(own.lower.cwiseMax(box.lower), own.upper.cwiseMin(box.upper));
+  }
   return combine(surface, tessellate_box(box.lower, box.upper), Boolean::intersect);
 }
 
@@ -97,6 +116,24 @@ std::optional<Triangles> FlowRoom::triangles(const Bounds& around, double deviat
                           layer.solid ? Boolean::subtract : Boolean::unite, 1e-3 * deviation);
   }
   return flow;
+}
+
+std::vector<Vec3> FlowRoom::skin_samples(double step) const {
+  constexpr std::size_t samples_of_a_mesh = 200;
+  std::vector<Vec3> samples;
+  for (const Layer& layer : layers_) {
+    const auto mesh = layer.solid && layer.region->is_mesh() ? layer.region->triangles(0) : std::nullopt;
+    if (!mesh) continue;
+    const std::size_t stride = std::max<std::size_t>(1, mesh->corners.size() / samples_of_a_mesh);
+    for (std::size_t face = 0; face < mesh->corners.size(); face += stride) {
+      const auto& [a, b, c] = mesh->corners[face];
+      const Vec3& p = mesh->points[a];
+      const Vec3 normal = (mesh->points[b] - p).cross(mesh->points[c] - p).normalized();
+      const Vec3 middle = (p + mesh->points[b] + mesh->points[c]) / 3;
+      if (contains(middle + step * normal) && !contains(middle - step * normal)) samples.push_back(middle);
+    }
+  }
+  return samples;
 }
 
 bool FlowRoom::inside_containers(const Vec3& point) const {

@@ -32,6 +32,9 @@ class FlowRoom : public PointSet {
   /// The skin of the room within `around` as triangles that deviate from it by at most `deviation` [m] and face away
   /// from the fluid; nothing if a wall cannot be given as triangles. Throws NoManifold.
   [[nodiscard]] std::optional<Triangles> triangles(const Bounds& around, double deviation) const;
+  /// Places on the skin [m], some on every solid mesh: middles of faces with flow `step` [m] before and none behind
+  /// them. The triangles of the room must hold them all.
+  [[nodiscard]] std::vector<Vec3> skin_samples(double step) const;
 
  private:
   struct Layer {

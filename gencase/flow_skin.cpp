@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "gencase/booleans.hpp"
 #include "gencase/nearest_surface.hpp"
 #include "gencase/polyhedron.hpp"
@@ -25,6 +27,14 @@ class CutSkin : public SkinSearch {
   double spacing_;
 };
 
+/// True if the skin that was cut out of all walls misses a place of it: booleans of surfaces that nearly coincide can
+/// lose a whole body.
+bool misses_skin(const SkinSearch& skin, const FlowRoom& room, double spacing) {
+  const std::vector<Vec3> samples = room.skin_samples(1e-3 * spacing);
+  return std::any_of(samples.begin(), samples.end(),
+                     [&](const Vec3& place) { return !skin.find(place, 0.1 * spacing).has_value(); });
+}
+
 }  // namespace
 
 std::unique_ptr<SkinSearch> make_flow_skin(const FlowRoom& room, const Bounds& around, double spacing, int dimension,
@@ -32,8 +42,10 @@ std::unique_ptr<SkinSearch> make_flow_skin(const FlowRoom& room, const Bounds& a
   if (dimension == 3 && room.has_meshes()) {
     constexpr double deviation = 0.01;  // [spacings] of triangles from curved walls
     try {
-      if (auto surface = room.triangles(around, deviation * spacing); surface && !surface->corners.empty())
-        return std::make_unique<CutSkin>(std::move(*surface), spacing);
+      if (auto surface = room.triangles(around, deviation * spacing); surface && !surface->corners.empty()) {
+        auto skin = std::make_unique<CutSkin>(std::move(*surface), spacing);
+        if (!misses_skin(*skin, room, spacing)) return skin;
+      }
     } catch (const NoManifold& error) {
       notes.say(fmt::format("walls touch without overlapping ({}): near the contact the normals are those of one wall",
                             error.what()));

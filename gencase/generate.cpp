@@ -12,9 +12,11 @@
 #include "common/units.hpp"
 #include "gencase/checks.hpp"
 #include "gencase/closure.hpp"
+#include "gencase/coverage.hpp"
 #include "gencase/filling.hpp"
 #include "gencase/flow_skin.hpp"
 #include "gencase/hydrostatic.hpp"
+#include "gencase/places.hpp"
 #include "gencase/pore_water.hpp"
 #include "gencase/relaxation.hpp"
 
@@ -164,9 +166,11 @@ std::vector<ShapeSummary> summarise(const std::vector<PlacedShape>& shapes, cons
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     const ShapeFill& fill = filling.shapes[s];
     const bool fluid = shapes[s].is_fluid();
-    const auto nodes = static_cast<double>(fill.claimed + fill.inside_wall);
-    summaries.push_back({shapes[s].shape->name, fill.kept, fluid ? nodes * filling.lattice.cell() : 0,
-                         fluid ? shapes[s].body->measure().value_or(0) : 0});
+    const double cell = filling.lattice.cell();
+    const double exact = fluid ? shapes[s].body->measure().value_or(0) : 0;
+    // A body whose parts cancel has no volume to compare with.
+    summaries.push_back({shapes[s].shape->name, fill.kept, fluid ? static_cast<double>(fill.kept) * cell : 0,
+                         exact > cell ? exact : 0});
   }
   return summaries;
 }
@@ -209,8 +213,9 @@ void report_closure(const Case& scene, const std::vector<PlacedShape>& shapes, c
       fmt::format("{}: fluid at rest can leave {} at x = {}, y = {}, z = {}, {} spacings away; close the wall there, "
                   "or open that face on purpose{}",
                   scene.file.string(), leak->out_of_rooms ? "the containers" : "the domain",
-                  format_quantity(end.x(), "m"), format_quantity(end.y(), "m"), format_quantity(end.z(), "m"),
-                  leak->path.size() - 1, picture.empty() ? "" : "; the path is in " + picture));
+                  placed_text(end.x(), scene.numerics.spacing), placed_text(end.y(), scene.numerics.spacing),
+                  placed_text(end.z(), scene.numerics.spacing), leak->path.size() - 1,
+                  picture.empty() ? "" : "; the path is in " + picture));
 }
 
 /// Finds the maximum speed and the sound speed from the fluid's height. Warns of a maximum speed below that of waves.
@@ -244,6 +249,7 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   settle_walls(shapes, skins.of_shape, filling, progress);
   check_filling(scene, shapes, room, filling);
   warn_of_filling(scene, shapes, filling, notes.warn);
+  warn_of_coverage(scene, shapes, notes.warn);
   report_closure(scene, shapes, room, filling, notes);
   progress.finish();
 

@@ -17,7 +17,7 @@ namespace thalweg::gencase {
 struct ShapeSummary {
   std::string name;
   std::int64_t particles = 0;
-  double filled = 0;  // [m^3] (2-D: [m^2]) of the lattice nodes in the shape
+  double filled = 0;  // [m^3] (2-D: [m^2]) of the particles that it has in the end
   double exact = 0;   // [m^3] ([m^2]) of the shape; 0: no closed form
 };
 

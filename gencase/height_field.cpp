@@ -5,8 +5,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <fmt/format.h>
 
-#include <map>
-#include <set>
+#include <algorithm>
 
 #include "common/units.hpp"
 
@@ -27,13 +26,9 @@ Kernel::Point_2 from_above(const Vec3& p) { return {p.x(), p.y()}; }
 
 Triangles triangulated(const std::vector<Vec3>& points) {
   std::vector<std::pair<Kernel::Point_2, std::uint32_t>> places;
-  std::map<std::pair<double, double>, double> heights;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [entry, fresh] = heights.try_emplace({points[i].x(), points[i].y()}, points[i].z());
-    if (!fresh && entry->second != points[i].z())
-      throw NoHeightField(fmt::format("gives two heights at {}; remove one of the points", place(points[i])));
-    if (fresh) places.emplace_back(from_above(points[i]), static_cast<std::uint32_t>(i));
-  }
+  places.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    places.emplace_back(from_above(points[i]), static_cast<std::uint32_t>(i));
   const Triangulation plane(places.begin(), places.end());
   if (plane.dimension() < 2)
     throw NoHeightField("has its points on one line in x and y; leave out y for a surface that does not change across");
@@ -58,26 +53,31 @@ Triangles closed_downward(const Triangles& top, double base) {
   if (downward != 0 && downward != top.corners.size())
     throw NoHeightField("overhangs or is folded; give a surface with one height for every place");
   // Points that no triangle uses stay out.
-  std::map<std::uint32_t, std::uint32_t> number;
+  constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number(top.points.size(), none);
   const auto upper = [&](std::uint32_t old) {
-    const auto [entry, fresh] = number.try_emplace(old, static_cast<std::uint32_t>(body.points.size()));
-    if (fresh) {
+    if (number[old] == none) {
+      number[old] = static_cast<std::uint32_t>(body.points.size());
       body.points.push_back(top.points[old]);
       body.points.emplace_back(top.points[old].x(), top.points[old].y(), base);
     }
-    return entry->second;
+    return number[old];
   };
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  body.points.reserve(2 * top.points.size());
+  body.corners.reserve(2 * top.corners.size());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(3 * top.corners.size());
   for (const auto& corners : top.corners) {
     const std::uint32_t a = upper(corners[0]);
     const std::uint32_t b = upper(downward == 0 ? corners[1] : corners[2]);
     const std::uint32_t c = upper(downward == 0 ? corners[2] : corners[1]);
     body.corners.push_back({a, b, c});
     body.corners.push_back({a + 1, c + 1, b + 1});
-    edges.insert({{a, b}, {b, c}, {c, a}});
+    edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
   }
+  std::sort(edges.begin(), edges.end());
   for (const auto& [a, b] : edges) {
-    if (edges.contains({b, a})) continue;
+    if (std::binary_search(edges.begin(), edges.end(), std::pair(b, a))) continue;
     body.corners.push_back({b, a, a + 1});
     body.corners.push_back({b, a + 1, b + 1});
   }

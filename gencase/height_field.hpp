@@ -11,8 +11,8 @@ struct NoHeightField : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The Delaunay triangulation of measured points in x and y. Throws NoHeightField for two heights at one place and for
-/// points on one line.
+/// The Delaunay triangulation of measured points in x and y. No two of them may have the same x and y.
+/// Throws NoHeightField for points on one line.
 Triangles triangulated(const std::vector<Vec3>& points);
 
 /// The closed surface of the body between an open surface and the height `base` [m] below it. Throws NoHeightField if

@@ -4,6 +4,7 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "gencase/places.hpp"
 #include "gencase/primitives.hpp"
 
 namespace thalweg::gencase {
@@ -116,8 +117,8 @@ void check_periods(const Case& scene) {
     throw InputError(fmt::format(
         "{}: the domain is periodic in {} and {} long, no multiple of the spacing of {}; make "
         "it {} or {} long",
-        scene.file.string(), "xyz"[axis], format_quantity(length, "m"), format_quantity(spacing, "m"),
-        format_quantity(std::floor(cells) * spacing, "m"), format_quantity(std::ceil(cells) * spacing, "m")));
+        scene.file.string(), "xyz"[axis], placed_text(length, spacing), format_quantity(spacing, "m"),
+        placed_text(std::floor(cells) * spacing, spacing), placed_text(std::ceil(cells) * spacing, spacing)));
   }
 }
 
@@ -132,12 +133,13 @@ std::vector<std::string> faces_off_lattice(const Case& scene, const Lattice& lat
       const double layers = (place - lattice.anchor[axis]) / lattice.spacing;
       const double off = (layers - std::round(layers)) * lattice.spacing;
       if (std::abs(off) <= tolerated_offset * lattice.spacing) continue;
-      lines.push_back(fmt::format(
-          "{}: face {} at {} lies {} off the lattice (spacing {} from {}); {} or {} would lie on it",
-          where(scene, shape), face_names[face], format_quantity(place, "m"), format_quantity(std::abs(off), "m"),
-          format_quantity(lattice.spacing, "m"), format_quantity(lattice.anchor[axis], "m"),
-          format_quantity(lattice.anchor[axis] + std::floor(layers) * lattice.spacing, "m"),
-          format_quantity(lattice.anchor[axis] + std::ceil(layers) * lattice.spacing, "m")));
+      lines.push_back(
+          fmt::format("{}: face {} at {} lies {} off the lattice (spacing {} from {}); {} or {} would lie on it",
+                      where(scene, shape), face_names[face], placed_text(place, lattice.spacing),
+                      format_quantity(std::abs(off), "m"), format_quantity(lattice.spacing, "m"),
+                      placed_text(lattice.anchor[axis], lattice.spacing),
+                      placed_text(lattice.anchor[axis] + std::floor(layers) * lattice.spacing, lattice.spacing),
+                      placed_text(lattice.anchor[axis] + std::ceil(layers) * lattice.spacing, lattice.spacing)));
     }
   }
   return lines;

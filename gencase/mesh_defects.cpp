@@ -90,6 +90,27 @@ void add_face(const Triangles& surface, std::size_t face, Kind kind, MeshDefects
   defects.places.numbers.push_back(kind);
 }
 
+/// True if two faces that meet do not merely touch: each has corners on both sides of the other, or they share an area
+/// of one plane.
+bool overlap(const Triangles& surface, std::size_t f, std::size_t g) {
+  const auto triangle = [&](std::size_t face) {
+    const auto& [a, b, c] = surface.corners[face];
+    return Kernel::Triangle_3(to_cgal(surface.points[a]), to_cgal(surface.points[b]), to_cgal(surface.points[c]));
+  };
+  const auto a = triangle(f);
+  const auto b = triangle(g);
+  const auto both_sides = [](const Kernel::Triangle_3& corners, const Kernel::Triangle_3& plane) {
+    std::array<int, 3> counts{};  // below, on, above
+    for (int k = 0; k < 3; ++k) ++counts.at(1 + CGAL::orientation(plane[0], plane[1], plane[2], corners[k]));
+    return std::pair(counts[0] > 0 && counts[2] > 0, counts[1] == 3);
+  };
+  const auto [a_through_b, one_plane] = both_sides(a, b);
+  if (!one_plane) return a_through_b && both_sides(b, a).first;
+  const auto shared = CGAL::intersection(a, b);
+  return shared && boost::get<Kernel::Point_3>(&*shared) == nullptr &&
+         boost::get<Kernel::Segment_3>(&*shared) == nullptr;
+}
+
 void find_intersections(const Triangles& surface, MeshDefects& defects) {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> vertices;
@@ -104,6 +125,7 @@ void find_intersections(const Triangles& surface, MeshDefects& defects) {
   if (defects.crowded_edges > 0) return;
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   pmp::self_intersections(mesh, std::back_inserter(pairs));
+  std::erase_if(pairs, [&](const auto& pair) { return !overlap(surface, pair.first.idx(), pair.second.idx()); });
   if (pairs.empty()) return;
   const auto body = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:body", 0).first;
   pmp::connected_components(mesh, body);
@@ -141,7 +163,7 @@ std::string MeshDefects::text() const {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-MeshDefects find_defects(const Triangles& surface, bool closed) {
+MeshDefects find_defects(const Triangles& surface, SurfaceUse use) {
   MeshDefects defects;
   defects.places.number_name = "Defect";
   for (std::size_t face = 0; face < surface.corners.size(); ++face) {
@@ -150,13 +172,14 @@ MeshDefects find_defects(const Triangles& surface, bool closed) {
     ++defects.degenerate;
     add_face(surface, face, degenerate_face, defects);
   }
+  if (use == SurfaceUse::plate) return defects;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> open;
-  for (const auto& [edge, use] : edges_of(surface)) {
+  for (const auto& [edge, faces_of] : edges_of(surface)) {
     if (edge.first == edge.second) continue;  // of a face without area
-    const int faces = use.forth + use.back;
-    if (faces == 1 && closed) open.push_back(edge);
+    const int faces = faces_of.forth + faces_of.back;
+    if (faces == 1 && use == SurfaceUse::body) open.push_back(edge);
     const bool crowded = faces > 2;
-    const bool opposed = faces == 2 && use.forth != use.back;
+    const bool opposed = faces == 2 && faces_of.forth != faces_of.back;
     if (!crowded && !opposed) continue;
     ++(crowded ? defects.crowded_edges : defects.opposed_edges);
     defects.places.lines.push_back({surface.points[edge.first], surface.points[edge.second]});

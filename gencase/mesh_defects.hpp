@@ -24,8 +24,15 @@ struct MeshDefects {
   [[nodiscard]] std::string text() const;
 };
 
-/// Searches a surface for defects. `closed`: open edges are a defect.
-MeshDefects find_defects(const Triangles& surface, bool closed);
+/// The use of a surface, which decides what counts as a defect of it.
+enum class SurfaceUse {
+  body,    // bounds a volume
+  ground,  // has one height for each place: open edges are none
+  plate    // its points' distance alone counts: it may be open, and its sheets may meet and cross
+};
+
+/// Searches a surface for defects. Bodies that touch in edges and corners are none.
+MeshDefects find_defects(const Triangles& surface, SurfaceUse use);
 
 /// Thickness of a closed surface's body: the distance from the middle of a face inward to the opposite side.
 struct Thickness {

@@ -9,14 +9,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "common/error.hpp"
 #include "gencase/ply_check.hpp"
+#include "gencase/survey_reader.hpp"
 #include "gencase/words.hpp"
 
 namespace thalweg::gencase {
@@ -24,38 +25,13 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Points = std::vector<Kernel::Point_3>;
-using Polygons = std::vector<std::vector<std::size_t>>;
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors begin a text with it
 
 std::string contents_of(std::istream& from) {
   std::ostringstream text;
   text << from.rdbuf();
   return text.str();
-}
-
-/// Refuses a file that announces more elements than its bytes can hold, before a reader allocates memory for them.
-/// `least` [bytes] is the size of the smallest element of the format.
-void check_count(const std::string& what, double announced, double bytes, double least) {
-  if (announced >= 0 && announced * least <= bytes) return;
-  throw InputError(fmt::format("announces {:.6g} {} and has only {} bytes: it is cut off or damaged; export it again",
-                               announced, what, static_cast<std::int64_t>(bytes)));
-}
-
-bool is_text_stl(const std::string& bytes) {
-  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-  return begin != std::string::npos && bytes.compare(begin, 5, "solid") == 0 &&
-         bytes.find("facet") != std::string::npos;
-}
-
-void check_stl(const std::string& bytes) {
-  if (is_text_stl(bytes)) {
-    if (bytes.find("endsolid") == std::string::npos)
-      throw InputError("ends before its \"endsolid\": it is cut off; export it again");
-    return;
-  }
-  if (bytes.size() < 84) throw InputError("is too short for an STL file; export it again");
-  std::uint32_t facets = 0;
-  std::memcpy(&facets, bytes.data() + 80, 4);
-  check_count("facets", facets, static_cast<double>(bytes.size()) - 84, 50);
 }
 
 /// The words of each line that has any, without comments.
@@ -103,59 +79,35 @@ std::string checked_off(const std::string& bytes) {
   return plain;
 }
 
-void check_obj(const std::string& bytes) {
-  if (bytes.starts_with("f ") || bytes.find("\nf ") != std::string::npos) return;
-  throw InputError("holds no line of a face (\"f 1 2 3\"); export the surface, not points alone");
-}
-
 /// The bytes as CGAL's reader may read them. Throws InputError for those that are not of this format or damaged.
 std::string checked(std::string bytes, MeshFormat format) {
-  if (bytes.empty()) throw InputError("is empty; export it again");
-  switch (format) {
-    case MeshFormat::stl:
-      check_stl(bytes);
-      break;
-    case MeshFormat::obj:
-      check_obj(bytes);
-      break;
-    case MeshFormat::off:
-      return checked_off(bytes);
-    case MeshFormat::ply:
-      check_ply(bytes);
-      break;
-  }
+  if (format == MeshFormat::off) return checked_off(bytes);
+  check_ply(bytes);
   return bytes;
 }
 
-const char* name_of(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::stl:
-      return "STL";
-    case MeshFormat::obj:
-      return "OBJ";
-    case MeshFormat::off:
-      return "OFF";
-    case MeshFormat::ply:
-      return "PLY";
-  }
-  return "";
-}
-
-/// False if the bytes cannot be read. CGAL's readers do not tell the reason; the checks before and after find most.
-bool read_with_cgal(const std::string& bytes, MeshFormat format, Points& points, Polygons& polygons) {
+/// CGAL's readers do not tell why they cannot read something; the checks before and after find most.
+PolygonSoup read_with_cgal(const std::string& unchecked, MeshFormat format) {
+  const std::string bytes = checked(unchecked, format);
   std::istringstream from(bytes);
   const auto quiet = CGAL::parameters::verbose(false);
-  switch (format) {
-    case MeshFormat::stl:
-      return CGAL::IO::read_STL(from, points, polygons, quiet);
-    case MeshFormat::obj:
-      return CGAL::IO::read_OBJ(from, points, polygons, quiet);
-    case MeshFormat::off:
-      return CGAL::IO::read_OFF(from, points, polygons, quiet);
-    case MeshFormat::ply:
-      return CGAL::IO::read_PLY(from, points, polygons, quiet);
+  Points points;
+  PolygonSoup soup;
+  bool read = false;
+  try {
+    read = format == MeshFormat::off ? CGAL::IO::read_OFF(from, points, soup.polygons, quiet)
+                                     : CGAL::IO::read_PLY(from, points, soup.polygons, quiet);
+  } catch (const std::exception&) {  // a length or count that no memory holds
+    read = false;
   }
-  return false;
+  if (!read)
+    throw InputError(fmt::format(
+        "cannot be read as {}: a number is missing or is none, or a face names a point that does not exist; export it "
+        "again, or correct the extension",
+        format == MeshFormat::off ? "OFF" : "PLY"));
+  soup.points.reserve(points.size());
+  for (const auto& p : points) soup.points.emplace_back(p.x(), p.y(), p.z());
+  return soup;
 }
 
 void check_soup(const PolygonSoup& soup) {
@@ -186,28 +138,28 @@ bool cut_first_to_third(const std::array<Vec3, 4>& p) {
 
 }  // namespace
 
-PolygonSoup read_mesh(std::istream& from, MeshFormat format) {
-  const std::string bytes = checked(contents_of(from), format);
-  Points points;
-  PolygonSoup soup;
-  bool read = false;
-  try {
-    read = read_with_cgal(bytes, format, points, soup.polygons);
-  } catch (const std::exception&) {  // a length or count that no memory holds
-    read = false;
+MeshFile read_mesh(std::istream& from, MeshFormat format) {
+  std::string bytes = contents_of(from);
+  if (bytes.empty()) throw InputError("is empty; export it again");
+  if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
+  MeshFile file;
+  switch (format) {
+    case MeshFormat::stl:
+      file = read_stl(bytes);
+      break;
+    case MeshFormat::obj:
+      file = read_obj(bytes);
+      break;
+    case MeshFormat::off:
+    case MeshFormat::ply:
+      file.soup = read_with_cgal(bytes, format);
+      break;
   }
-  if (!read)
-    throw InputError(fmt::format(
-        "cannot be read as {}: a number is missing or is none, or a face names a point that does not exist; export it "
-        "again, or correct the extension",
-        name_of(format)));
-  soup.points.reserve(points.size());
-  for (const auto& p : points) soup.points.emplace_back(p.x(), p.y(), p.z());
-  check_soup(soup);
-  return soup;
+  check_soup(file.soup);
+  return file;
 }
 
-PolygonSoup read_mesh(const std::filesystem::path& file) {
+MeshFile read_mesh(const std::filesystem::path& file) {
   static const std::map<std::string, MeshFormat> formats{
       {".stl", MeshFormat::stl}, {".obj", MeshFormat::obj}, {".off", MeshFormat::off}, {".ply", MeshFormat::ply}};
   std::string extension = file.extension().string();
@@ -215,19 +167,22 @@ PolygonSoup read_mesh(const std::filesystem::path& file) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (!std::filesystem::is_regular_file(file))
     throw InputError(file.string() + ": there is no such file; check the name, which is relative to the case's folder");
+  const auto format = formats.find(extension);
+  if (format == formats.end() && extension != ".vtp")
+    throw InputError(
+        is_survey(file)
+            ? fmt::format("{}: holds points and no surface; write kind = \"bathymetry\" for it", file.string())
+            : fmt::format("{}: meshes of the kind \"{}\" are not read; give .stl, .obj, .off, .ply or .vtp",
+                          file.string(), extension));
   if (extension == ".vtp") {
-    const PolygonSoup soup = read_vtp_surface(file);
+    MeshFile read{read_vtp_surface(file), {}};
     try {
-      check_soup(soup);
+      check_soup(read.soup);
     } catch (const InputError& error) {
       throw InputError(file.string() + ": " + error.what());
     }
-    return soup;
+    return read;
   }
-  const auto format = formats.find(extension);
-  if (format == formats.end())
-    throw InputError(fmt::format("{}: meshes of the kind \"{}\" are not read; give .stl, .obj, .off, .ply or .vtp",
-                                 file.string(), extension));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string() + ": cannot be opened; check its permissions");
   try {

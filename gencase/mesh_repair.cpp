@@ -15,11 +15,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
-#include <set>
+#include <tuple>
 
-#include "common/units.hpp"
 #include "gencase/booleans.hpp"
+#include "gencase/mesh_bodies.hpp"
+#include "gencase/mesh_borders.hpp"
+#include "gencase/mesh_sheets.hpp"
+#include "gencase/polyhedron.hpp"
 #include "gencase/triangle_mesh.hpp"
 
 namespace thalweg::gencase {
@@ -56,25 +60,18 @@ std::size_t weld(Points& points, Polygons& polygons, double tolerance) {
   return count;
 }
 
-/// Number of faces that were turned over.
-std::size_t count_turned(const std::vector<std::array<Kernel::Point_3, 3>>& before, const Points& points,
-                         const Polygons& polygons) {
-  std::set<std::array<Kernel::Point_3, 3>> known;
-  const auto canonical = [](std::array<Kernel::Point_3, 3> face) {
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    return face;
-  };
-  for (const auto& face : before) known.insert(canonical(face));
-  std::size_t count = 0;
-  for (const auto& polygon : polygons)
-    count += !known.contains(canonical({points[polygon[0]], points[polygon[1]], points[polygon[2]]}));
-  return std::min(count, polygons.size() - count);
-}
-
 double diagonal_of(const Mesh& mesh, Mesh::Halfedge_index border) {
   CGAL::Bbox_3 box;
   for (const auto halfedge : CGAL::halfedges_around_face(border, mesh)) box += mesh.point(mesh.target(halfedge)).bbox();
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+/// True if every face of the part beside a border lies on the border: a loose sheet, which filling would make a body
+/// without volume.
+bool is_loose_sheet(const Mesh& mesh, Mesh::Halfedge_index border) {
+  std::vector<Mesh::Face_index> part;
+  pmp::connected_component(mesh.face(mesh.opposite(border)), mesh, std::back_inserter(part));
+  return part.size() <= CGAL::halfedges_around_face(border, mesh).size();
 }
 
 std::size_t fill_holes(Mesh& mesh, double largest) {
@@ -82,7 +79,7 @@ std::size_t fill_holes(Mesh& mesh, double largest) {
   pmp::extract_boundary_cycles(mesh, std::back_inserter(borders));
   std::size_t filled = 0;
   for (const auto border : borders) {
-    if (diagonal_of(mesh, border) > largest) continue;
+    if (diagonal_of(mesh, border) > largest || is_loose_sheet(mesh, border)) continue;
     std::vector<Mesh::Face_index> patch;
     pmp::triangulate_hole(mesh, border, std::back_inserter(patch));
     filled += !patch.empty();
@@ -90,71 +87,108 @@ std::size_t fill_holes(Mesh& mesh, double largest) {
   return filled;
 }
 
-/// Unites the overlapping closed bodies of a mesh; nothing if they cannot be united.
-std::optional<Triangles> unite_bodies(const Mesh& mesh) {
-  std::vector<Mesh> bodies;
-  pmp::split_connected_components(mesh, bodies);
+/// Unites the overlapping closed bodies of a surface, then takes its cavities out of them; nothing if they cannot be
+/// united.
+std::optional<Triangles> unite_bodies(const Triangles& judged) {
+  std::vector<Triangles> bodies = bodies_of(judged);
+  std::stable_partition(bodies.begin(), bodies.end(), [](const Triangles& body) { return volume(body) >= 0; });
   Triangles result;
   try {
-    for (Mesh& body : bodies) {
-      if (!pmp::is_outward_oriented(body)) pmp::reverse_face_orientations(body);
-      result = combine(result, triangles_of(body), Boolean::unite);
-    }
+    for (Triangles& body : bodies)
+      result = volume(body) >= 0 ? combine(result, body, Boolean::unite)
+                                 : combine(result, turned(std::move(body)), Boolean::subtract);
   } catch (const NoManifold&) {
     return std::nullopt;
   }
   return result;
 }
 
+/// Notes a kind of change and how often it was made.
+using Note = std::function<void(std::size_t count, const char* one, const char* many)>;
+
+std::pair<Points, Polygons> soup_of(const Triangles& surface) {
+  std::pair<Points, Polygons> soup;
+  for (const Vec3& p : surface.points) soup.first.emplace_back(p.x(), p.y(), p.z());
+  for (const auto& [a, b, c] : surface.corners) soup.second.push_back({a, b, c});
+  return soup;
+}
+
+Triangles surface_of(const Points& points, const Polygons& polygons) {
+  Triangles surface;
+  for (const auto& p : points) surface.points.emplace_back(p.x(), p.y(), p.z());
+  for (const auto& p : polygons)
+    surface.corners.push_back(
+        {static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]), static_cast<std::uint32_t>(p[2])});
+  return surface;
+}
+
 std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-}  // namespace
-
-Repaired repair(const Triangles& surface, const RepairLimits& limits) {
-  Repaired result;
-  const auto note = [&](std::size_t count, const char* one, const char* many) {
-    if (count > 0) result.changes.push_back(counted(count, one, many));
-  };
-  Points points;
-  Polygons polygons;
-  for (const Vec3& p : surface.points) points.emplace_back(p.x(), p.y(), p.z());
-  for (const auto& [a, b, c] : surface.corners) polygons.push_back({a, b, c});
-
-  note(weld(points, polygons, limits.weld), "point welded", "points welded");
-  const std::size_t faces = polygons.size();
-  pmp::repair_polygon_soup(points, polygons);
-  note(faces - std::min(faces, polygons.size()), "superfluous face dropped", "superfluous faces dropped");
-  std::erase_if(polygons, [](const auto& polygon) { return polygon.size() != 3; });
-
-  std::vector<std::array<Kernel::Point_3, 3>> before;
-  for (const auto& polygon : polygons) before.push_back({points[polygon[0]], points[polygon[1]], points[polygon[2]]});
-  pmp::orient_polygon_soup(points, polygons);
-  note(count_turned(before, points, polygons), "face turned", "faces turned");
-
+/// Makes a mesh of a surface, stitches it, fills its holes and drops what remains loose; nothing if sheets of the
+/// surface cannot be told apart.
+std::optional<Triangles> closed_mesh(const Triangles& surface, double hole, const Note& note) {
+  auto [points, polygons] = soup_of(surface);
+  pmp::orient_polygon_soup(points, polygons);  // parts the sheets that part_sheets() could not
+  if (!pmp::is_polygon_soup_a_polygon_mesh(polygons)) return std::nullopt;
   Mesh mesh;
-  if (!pmp::is_polygon_soup_a_polygon_mesh(polygons)) {
-    result.surface = surface;
-    return result;
-  }
   pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   note(pmp::stitch_borders(mesh), "pair of edges stitched", "pairs of edges stitched");
   const std::size_t with_degenerate = mesh.number_of_faces();
   pmp::remove_degenerate_faces(mesh);
   note(with_degenerate - std::min<std::size_t>(with_degenerate, mesh.number_of_faces()), "face without area removed",
        "faces without area removed");
-  note(fill_holes(mesh, limits.hole), "hole filled", "holes filled");
-  if (CGAL::is_closed(mesh)) {
-    if (!pmp::does_self_intersect(mesh)) {
-      pmp::orient_to_bound_a_volume(mesh);
-    } else if (auto united = unite_bodies(mesh)) {
-      result.changes.emplace_back("overlapping bodies united");
-      result.surface = std::move(*united);
-      return result;
-    }
+  note(fill_holes(mesh, hole), "hole filled", "holes filled");
+  Triangles result = triangles_of(mesh);
+  note(drop_loose_faces(result), "loose face dropped", "loose faces dropped");
+  return result;
+}
+
+bool is_closed(const Triangles& surface) {
+  const std::vector<EdgeFaces> edges = edges_with_faces(surface);
+  return std::all_of(edges.begin(), edges.end(), [](const EdgeFaces& edge) { return edge.uses.size() == 2; });
+}
+
+bool crosses_itself(const Triangles& surface) {
+  auto [points, polygons] = soup_of(surface);
+  if (!pmp::is_polygon_soup_a_polygon_mesh(polygons)) return true;
+  Mesh mesh;
+  pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  return pmp::does_self_intersect(mesh);
+}
+
+}  // namespace
+
+Repaired repair(const Triangles& surface, const RepairLimits& limits) {
+  Repaired result;
+  const Note note = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) result.changes.push_back(counted(count, one, many));
+  };
+  auto [points, polygons] = soup_of(surface);
+  note(weld(points, polygons, limits.weld), "point welded", "points welded");
+  Triangles mended = surface_of(points, polygons);
+  note(cancel_back_to_back(mended), "face between two bodies dropped", "faces between two bodies dropped");
+  std::tie(points, polygons) = soup_of(mended);
+  const std::size_t faces = polygons.size();
+  pmp::repair_polygon_soup(points, polygons);
+  note(faces - std::min(faces, polygons.size()), "superfluous face dropped", "superfluous faces dropped");
+  std::erase_if(polygons, [](const auto& polygon) { return polygon.size() != 3; });
+  mended = surface_of(points, polygons);
+  note(close_slits(mended, limits.slit), "edge of slits closed", "edges of slits closed");
+  part_sheets(mended);
+  note(turn_alike(mended), "face turned", "faces turned");
+  const std::optional<Triangles> closed = closed_mesh(mended, limits.hole, note);
+  result.surface = closed.value_or(mended);
+  if (!closed || !is_closed(result.surface)) return result;
+  Judged judged = judge_bodies(result.surface);
+  result.surface = std::move(judged.surface);
+  result.judgement = std::move(judged.changes);
+  if (!crosses_itself(result.surface)) return result;
+  if (auto united = unite_bodies(result.surface)) {
+    result.changes.emplace_back("overlapping bodies united");
+    result.surface = std::move(*united);
   }
-  result.surface = triangles_of(mesh);
   return result;
 }
 

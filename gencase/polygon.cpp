@@ -106,18 +106,22 @@ std::vector<Eigen::Vector2d> counter_clockwise(std::vector<Eigen::Vector2d> poly
   return polygon;
 }
 
-std::vector<Edge> slice(const Triangles& surface) {
+namespace {
+
+/// The cut by the plane y = 0. Corners on the plane count as lying on one side of it, so that neighbouring triangles
+/// agree.
+std::vector<Edge> slice(const Triangles& surface, bool on_plane_is_positive) {
+  const auto positive = [&](double y) { return on_plane_is_positive ? y >= 0 : y > 0; };
   std::vector<Edge> edges;
   for (const auto& corners : surface.corners) {
-    // Corners on the plane count as lying at positive y, so that neighbouring triangles agree.
     Eigen::Vector2d enters;
     Eigen::Vector2d leaves;
     int crossings = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       Vec3 a = surface.points[corners[k]];
       Vec3 b = surface.points[corners[(k + 1) % 3]];
-      if ((a.y() >= 0) == (b.y() >= 0)) continue;
-      const bool up = b.y() >= 0;
+      if (positive(a.y()) == positive(b.y())) continue;
+      const bool up = positive(b.y());
       if (!up) std::swap(a, b);  // both triangles beside the edge compute the same point
       const Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);
       (up ? enters : leaves) = {p.x(), p.z()};
@@ -126,6 +130,14 @@ std::vector<Edge> slice(const Triangles& surface) {
     if (crossings == 2 && enters != leaves) edges.push_back({enters, leaves});
   }
   return edges;
+}
+
+}  // namespace
+
+std::vector<Edge> slice(const Triangles& surface) {
+  std::vector<Edge> below = slice(surface, true);
+  // A body that begins at the plane, as a profile extruded from y = 0 does, is cut just beyond it.
+  return below.empty() ? slice(surface, false) : below;
 }
 
 }  // namespace thalweg::gencase

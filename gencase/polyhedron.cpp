@@ -9,6 +9,7 @@
 #include <array>
 #include <mutex>
 
+#include "gencase/mesh_sheets.hpp"
 #include "gencase/triangle_columns.hpp"
 
 namespace thalweg::gencase {
@@ -117,6 +118,7 @@ class Plate : public Region, public SkinSearch {
     bounds_ = bounds_of(surface_);
     bounds_.lower.array() -= half_;
     bounds_.upper.array() += half_;
+    for (const Triangles& sheet : sheets_of(surface_)) skins_.push_back(std::make_unique<Skin>(sheet, half_));
   }
   [[nodiscard]] bool contains(const Vec3& p) const override { return middle_.find(p, half_).has_value(); }
   [[nodiscard]] Bounds bounds() const override { return bounds_; }
@@ -142,29 +144,33 @@ class Plate : public Region, public SkinSearch {
     const Vec3 out = middle.distance > 1e-9 * half_ ? Vec3(-middle.direction) : middle.direction;
     return SurfacePoint{middle.point + half_ * out, inside ? out : Vec3(-out), distance};
   }
-  void append_surfaces(std::vector<const Surface*>& surfaces) const override { surfaces.push_back(&skin_); }
+  void append_surfaces(std::vector<const Surface*>& surfaces) const override {
+    for (const auto& skin : skins_) surfaces.push_back(skin.get());
+  }
 
  private:
+  /// The skin around one sheet. Where sheets meet or cross, their skins hide each other and meet in edges.
   class Skin : public Surface {
    public:
-    explicit Skin(const Plate& of) : of_(of) {}
+    Skin(const Triangles& sheet, double half) : middle_(sheet), half_(half) {}
     [[nodiscard]] double signed_distance(const Vec3& p) const override {
-      return of_.middle_.find(p, HUGE_VAL)->distance - of_.half_;
+      return middle_.find(p, HUGE_VAL)->distance - half_;
     }
     [[nodiscard]] Vec3 gradient(const Vec3& p) const override {
-      const SurfacePoint middle = *of_.middle_.find(p, HUGE_VAL);
-      return middle.distance > 1e-9 * of_.half_ ? Vec3(-middle.direction) : middle.direction;
+      const SurfacePoint middle = *middle_.find(p, HUGE_VAL);
+      return middle.distance > 1e-9 * half_ ? Vec3(-middle.direction) : middle.direction;
     }
 
    private:
-    const Plate& of_;
+    FacetTree middle_;
+    double half_;
   };
 
   Triangles surface_;
   double half_;
   FacetTree middle_;
   Bounds bounds_;
-  Skin skin_{*this};
+  std::vector<std::unique_ptr<Skin>> skins_;
 };
 
 }  // namespace

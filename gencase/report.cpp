@@ -5,6 +5,7 @@
 #include <array>
 
 #include "common/units.hpp"
+#include "gencase/places.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -47,10 +48,12 @@ std::string bounds_line(const Generated& generated) {
     lower = lower.cwiseMin(p);
     upper = upper.cwiseMax(p);
   }
+  const double spacing = generated.resolved.numerics.spacing;
   std::string text = "bounds:";
   for (int axis = 0; axis < 3; ++axis) {
     if (generated.resolved.info.dimension == 2 && axis == 1) continue;
-    text += fmt::format(" {} {:.6g} … {:.6g} m", "xyz"[axis], lower[axis], upper[axis]);
+    text += fmt::format(" {} {} … {} m", "xyz"[axis], placed_number(lower[axis], spacing),
+                        placed_number(upper[axis], spacing));
   }
   return text + '\n';
 }

@@ -11,6 +11,7 @@
 #include "common/units.hpp"
 #include "gencase/booleans.hpp"
 #include "gencase/combinations.hpp"
+#include "gencase/coverage.hpp"
 #include "gencase/polygon.hpp"
 #include "gencase/polyhedron.hpp"
 #include "gencase/primitives.hpp"
@@ -100,7 +101,11 @@ struct Earlier {
 /// The box in which containers can be filled: up to their rims, within the domain.
 Bounds filling_box(const Case& scene, const Shape& shape, const Earlier& earlier) {
   if (!earlier.containers)
-    refuse(scene, shape, "fills containers, and no wall with side = \"outside\" comes before it; put one before it");
+    refuse(scene, shape,
+           earlier.room.has_meshes()
+               ? "fills containers, and no wall with side = \"outside\" comes before it; a tank that is drawn with its "
+                 "wall is filled by a box of water, which enters no wall"
+               : "fills containers, and no wall with side = \"outside\" comes before it; put one before it");
   if (column_axis(scene) != 2 || scene.domain.gravity.z() > 0)
     refuse(scene, shape, "counts heights along z, and gravity points elsewhere; use a box");
   Bounds box{earlier.containers->lower.cwiseMax(scene.domain.from),
@@ -235,6 +240,7 @@ std::vector<PlacedShape> place_shapes(const Case& scene, const Notes& notes) {
         result.room = make_open_box(shape.from, shape.to, open, scene.info.dimension);
         result.body = make_container_wall(shape.from, shape.to, open, thickness, scene.info.dimension);
       } else {
+        if (region->is_mesh()) check_container(scene, shape, *region);
         result.room = region;
         result.body = make_shell(region, thickness, scene.info.dimension);
       }

@@ -6,15 +6,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "gencase/height_field.hpp"
+#include "gencase/mesh_bodies.hpp"
 #include "gencase/mesh_defects.hpp"
 #include "gencase/mesh_reader.hpp"
 #include "gencase/mesh_repair.hpp"
+#include "gencase/mesh_sheets.hpp"
+#include "gencase/places.hpp"
 #include "gencase/polygon.hpp"
 #include "gencase/polyhedron.hpp"
+#include "gencase/survey_reader.hpp"
 #include "gencase/tessellation.hpp"
 
 namespace thalweg::gencase {
@@ -22,8 +25,9 @@ namespace {
 
 std::string length(double metres) { return format_quantity(metres, "m"); }
 
-std::string place(const Vec3& p) {
-  return fmt::format("x = {}, y = {}, z = {}", length(p.x()), length(p.y()), length(p.z()));
+std::string place(const Case& scene, const Vec3& p) {
+  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
+  return fmt::format("x = {}, y = {}, z = {}", text(p.x()), text(p.y()), text(p.z()));
 }
 
 /// "case.toml:12: shape "pier": pier.stl".
@@ -41,11 +45,12 @@ Vec3 placed(const Shape& shape, const Vec3& p) {
   return result;
 }
 
-Triangles read_surface(const Case& scene, const Shape& shape) {
-  const std::filesystem::path file = scene.folder / shape.file;
+Triangles read_surface(const Case& scene, const Shape& shape, const Notes& notes) {
   Triangles surface;
   try {
-    surface = triangulate(read_mesh(file));
+    const MeshFile file = read_mesh(scene.folder / shape.file);
+    for (const std::string& remark : file.remarks) notes.say(fmt::format("{}: {}", begin_of(scene, shape), remark));
+    surface = triangulate(file.soup);
   } catch (const InputError& error) {
     throw InputError(where(scene, shape) + ": " + error.what());
   }
@@ -67,6 +72,7 @@ void check_unit(const Case& scene, const Shape& shape, const Bounds& bounds) {
 }
 
 void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bounds) {
+  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.info.dimension == 2 && axis == 1) continue;
     if (bounds.upper[axis] > scene.domain.from[axis] && bounds.lower[axis] < scene.domain.to[axis]) continue;
@@ -74,17 +80,17 @@ void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bo
         scene, shape,
         fmt::format("lies outside of the domain: it reaches from {} to {} in {}, the domain from {} to {}; `move` it "
                     "or enlarge [domain]",
-                    length(bounds.lower[axis]), length(bounds.upper[axis]), "xyz"[axis],
-                    length(scene.domain.from[axis]), length(scene.domain.to[axis])));
+                    text(bounds.lower[axis]), text(bounds.upper[axis]), "xyz"[axis], text(scene.domain.from[axis]),
+                    text(scene.domain.to[axis])));
   }
 }
 
-/// Limits of a repair: it welds points that the lattice cannot resolve, and fills holes of a few spacings or of a small
-/// share of the body.
+/// Limits of a repair: it welds points and closes slits that the lattice cannot resolve, and fills holes of a few
+/// spacings or of a small share of the body.
 RepairLimits limits_of(const Case& scene, const Triangles& surface) {
   const Bounds bounds = bounds_of(surface);
   const double spacing = scene.numerics.spacing;
-  return {1e-3 * spacing, std::max(4 * spacing, 0.05 * (bounds.upper - bounds.lower).norm())};
+  return {1e-3 * spacing, 0.1 * spacing, std::max(4 * spacing, 0.05 * (bounds.upper - bounds.lower).norm())};
 }
 
 void refuse_defects(const Case& scene, const Shape& shape, const Triangles& surface, const MeshDefects& defects,
@@ -108,17 +114,24 @@ Triangles repaired(const Case& scene, const Shape& shape, const Triangles& surfa
   Repaired result = repair(surface, limits_of(scene, surface));
   if (!result.changes.empty())
     notes.say(fmt::format("{} repaired: {}", begin_of(scene, shape), fmt::join(result.changes, ", ")));
+  for (const std::string& change : result.judgement) notes.say(begin_of(scene, shape) + " " + change);
   return std::move(result.surface);
 }
 
-/// Refuses a surface that does not bound a volume; turns one that is inside out.
-Triangles checked(const Case& scene, const Shape& shape, Triangles surface, bool closed, const Notes& notes) {
-  if (shape.repair) surface = repaired(scene, shape, surface, notes);
-  const MeshDefects defects = find_defects(surface, closed);
+/// Refuses a surface that cannot be used as it is meant to; turns bodies that are inside out.
+Triangles checked(const Case& scene, const Shape& shape, Triangles surface, SurfaceUse use, const Notes& notes) {
+  if (shape.repair && use != SurfaceUse::plate) surface = repaired(scene, shape, surface, notes);
+  if (use == SurfaceUse::body) {
+    if (const std::size_t faces = cancel_back_to_back(surface); faces > 0)
+      notes.say(fmt::format("{}: {} faces between two bodies dropped", begin_of(scene, shape), faces));
+    part_sheets(surface);
+  }
+  const MeshDefects defects = find_defects(surface, use);
   if (defects.any()) refuse_defects(scene, shape, surface, defects, notes);
-  if (!closed || volume(surface) >= 0) return surface;
-  notes.say(begin_of(scene, shape) + " is inside out and was turned");
-  return turned(std::move(surface));
+  if (use != SurfaceUse::body) return surface;
+  Judged judged = judge_bodies(surface);
+  for (const std::string& change : judged.changes) notes.say(begin_of(scene, shape) + " " + change);
+  return std::move(judged.surface);
 }
 
 void check_thickness(const Case& scene, const Shape& shape, const Triangles& surface) {
@@ -129,7 +142,7 @@ void check_thickness(const Case& scene, const Shape& shape, const Triangles& sur
   refuse(scene, shape,
          fmt::format("is {} thin at {}, less than two spacings of {}, over {:.2g} % of its skin; use a smaller "
                      "numerics.spacing, thicken it, or make it a plate with side = \"both\"",
-                     length(thickness.least), place(thickness.where), length(scene.numerics.spacing),
+                     length(thickness.least), place(scene, thickness.where), length(scene.numerics.spacing),
                      100 * thickness.thin_share));
 }
 
@@ -142,29 +155,31 @@ RegionPointer make_body(const Case& scene, const Shape& shape, Triangles surface
 
 bool is_wall(const Shape& shape) { return shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall; }
 
-/// Measured points of a table [m], placed as the shape says.
-struct Survey {
-  std::vector<Vec3> points;
-  bool has_y = true;
-};
-
-Survey read_survey(const Case& scene, const Shape& shape) {
-  Survey survey;
+/// Measured points [m], placed as the shape says. Reports what the reader took for granted, and takes the mean of
+/// heights at one place that differ by no more than a hundredth of the spacing.
+SurveyFile placed_survey(const Case& scene, const Shape& shape, const Notes& notes) {
+  SurveyFile survey;
   try {
-    const CsvTable table = CsvTable::read(scene.folder / shape.file);
-    const std::vector<double> x = table.numbers("x", "m");
-    const std::vector<double> z = table.numbers("z", "m");
-    survey.has_y = table.has("y");
-    const std::vector<double> y = survey.has_y ? table.numbers("y", "m") : std::vector<double>(x.size(), 0.0);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const Vec3 p = placed(shape, Vec3(x[i], y[i], z[i]));
-      if (!p.allFinite())
-        throw InputError(table.where(i) + ": a coordinate is missing; give every point all of them, or remove the row");
-      survey.points.push_back(p);
-    }
+    survey = read_survey(scene.folder / shape.file);
   } catch (const InputError& error) {
     throw InputError(where(scene, shape) + ": " + error.what());
   }
+  for (const std::string& remark : survey.remarks) notes.say(fmt::format("{}: {}", begin_of(scene, shape), remark));
+  for (Vec3& p : survey.points) p = placed(shape, p);
+  const std::vector<Vec3> given = survey.points;
+  const Repeated repeated = merge_repeated(survey.points);
+  if (repeated.places == 0) return survey;
+  const Vec3& p = given[repeated.first];
+  const double spacing = scene.numerics.spacing;
+  const std::string found =
+      fmt::format("gives two heights at {} place{}; the largest difference is {} at x = {}{}, lines {} and {}",
+                  repeated.places, repeated.places == 1 ? "" : "s", length(repeated.largest),
+                  placed_text(p.x(), spacing), survey.has_y ? fmt::format(", y = {}", placed_text(p.y(), spacing)) : "",
+                  survey.lines[repeated.first], survey.lines[repeated.second]);
+  constexpr double tolerance = 0.01;  // [spacings]
+  if (repeated.largest > tolerance * spacing * (1 + 1e-6))
+    refuse(scene, shape, found + "; remove the points that are wrong");
+  notes.warn(fmt::format("{} {}; their means are taken", begin_of(scene, shape), found));
   return survey;
 }
 
@@ -173,24 +188,33 @@ void check_base(const Case& scene, const Shape& shape, const std::vector<Vec3>& 
       std::min_element(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
   if (lowest->z() > shape.base) return;
   refuse(scene, shape,
-         fmt::format("reaches down to {} at {}, and `base` is {}; lower the base", length(lowest->z()), place(*lowest),
-                     length(shape.base)));
+         fmt::format("reaches down to {} at {}, and `base` is {}; lower the base", length(lowest->z()),
+                     place(scene, *lowest), length(shape.base)));
 }
 
 /// The polygon (x, z) between a surface that does not change in y and the base.
 std::vector<Eigen::Vector2d> section(const Case& scene, const Shape& shape, std::vector<Vec3> points) {
   std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (points[i].x() == points[i - 1].x())
-      refuse(scene, shape, fmt::format("gives two heights at x = {}; remove one of the points", length(points[i].x())));
   if (points.size() < 2) refuse(scene, shape, "has fewer than two points; give at least two");
   std::vector<Eigen::Vector2d> polygon{{points.front().x(), shape.base}, {points.back().x(), shape.base}};
   for (auto p = points.rbegin(); p != points.rend(); ++p) polygon.emplace_back(p->x(), p->z());
   return polygon;
 }
 
+/// The points that the lattice can tell apart: more than some ten thousand, which exact cuts against other walls take
+/// minutes for, are averaged over squares of a quarter of the spacing.
+std::vector<Vec3> resolved(const Case& scene, const Shape& shape, const std::vector<Vec3>& points, const Notes& notes) {
+  constexpr std::size_t many = 20000;
+  if (points.size() <= many) return points;
+  const double square = 0.25 * scene.numerics.spacing;
+  std::vector<Vec3> means = averaged(points, square);
+  notes.say(fmt::format("{}: {} points are averaged over squares of {}, a quarter of the spacing, to {}",
+                        begin_of(scene, shape), points.size(), length(square), means.size()));
+  return means;
+}
+
 RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& notes) {
-  const Survey survey = read_survey(scene, shape);
+  const SurveyFile survey = placed_survey(scene, shape, notes);
   if (survey.points.empty()) refuse(scene, shape, "has no point; give at least three");
   check_base(scene, shape, survey.points);
   if (!survey.has_y) {
@@ -201,9 +225,10 @@ RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& no
     return make_polyhedron(
         extrude(counter_clockwise(polygon), 1, scene.domain.from.y() - beyond, scene.domain.to.y() + beyond));
   }
+  const std::vector<Vec3> points = resolved(scene, shape, survey.points, notes);
   try {
-    return make_body(scene, shape,
-                     checked(scene, shape, closed_downward(triangulated(survey.points), shape.base), true, notes));
+    // A triangulation of points above the base bounds a body by its making; no search for defects is needed.
+    return make_body(scene, shape, closed_downward(triangulated(points), shape.base));
   } catch (const NoHeightField& error) {
     refuse(scene, shape, error.what());
   }
@@ -216,11 +241,11 @@ std::string where(const Case& scene, const Shape& shape) {
 }
 
 RegionPointer make_mesh(const Case& scene, const Shape& shape, double plate_thickness, const Notes& notes) {
-  Triangles surface = read_surface(scene, shape);
+  Triangles surface = read_surface(scene, shape, notes);
   check_unit(scene, shape, bounds_of(surface));
   check_inside_domain(scene, shape, bounds_of(surface));
   const bool plate = is_wall(shape) && shape.side == WallSide::both;
-  surface = checked(scene, shape, std::move(surface), !plate, notes);
+  surface = checked(scene, shape, std::move(surface), plate ? SurfaceUse::plate : SurfaceUse::body, notes);
   if (plate && scene.info.dimension == 2)
     refuse(scene, shape, "is a plate (side = \"both\"), which 3-D scenes have only; use a thin box or prism");
   if (plate) return make_plate(std::move(surface), plate_thickness);
@@ -230,15 +255,15 @@ RegionPointer make_mesh(const Case& scene, const Shape& shape, double plate_thic
 }
 
 RegionPointer make_bathymetry(const Case& scene, const Shape& shape, const Notes& notes) {
-  const std::string extension = std::filesystem::path(shape.file).extension().string();
-  if (extension == ".csv" || extension == ".CSV") return make_survey(scene, shape, notes);
-  Triangles surface = read_surface(scene, shape);
+  if (is_survey(shape.file)) return make_survey(scene, shape, notes);
+  Triangles surface = read_surface(scene, shape, notes);
   check_unit(scene, shape, bounds_of(surface));
   check_inside_domain(scene, shape, bounds_of(surface));
   check_base(scene, shape, surface.points);
-  surface = checked(scene, shape, std::move(surface), false, notes);
+  surface = checked(scene, shape, std::move(surface), SurfaceUse::ground, notes);
   try {
-    return make_body(scene, shape, checked(scene, shape, closed_downward(surface, shape.base), true, notes));
+    return make_body(scene, shape,
+                     checked(scene, shape, closed_downward(surface, shape.base), SurfaceUse::body, notes));
   } catch (const NoHeightField& error) {
     refuse(scene, shape, error.what());
   }

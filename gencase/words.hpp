@@ -1,11 +1,14 @@
 #pragma once
 
+#include <charconv>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
-// Words and numbers of mesh files in text, for the checks before they are read.
+// Words and numbers of mesh files in text.
 namespace thalweg::gencase {
 
 /// The words of a line, separated by blanks.
@@ -18,6 +21,22 @@ inline std::vector<std::string> words_of(const std::string& line) {
 inline bool is_count(const std::string& word) {
   constexpr std::size_t most_digits = 10;
   return word.size() <= most_digits && word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// The number that is the whole word; nothing for anything else.
+template <class Number>
+std::optional<Number> number_of(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+/// The beginning of a word from a file, short enough for a message.
+inline std::string shown(std::string_view word) {
+  constexpr std::size_t most = 24;
+  return word.size() <= most ? std::string(word) : std::string(word.substr(0, most)) + "...";
 }
 
 }  // namespace thalweg::gencase

@@ -11,7 +11,8 @@ namespace {
 std::string millimetres(double metres) { return std::isnan(metres) ? "" : fmt::format("{:.2f}", metres * 1e3); }
 std::string per_cent(double share) { return std::isnan(share) ? "-" : fmt::format("{:.1f} %", share * 1e2); }
 
-std::string number(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.6g}", value); }
+// Twelve digits: a coordinate counted from far away keeps its hundredth of a spacing.
+std::string number(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.12g}", value); }
 
 void write_scalars(const std::filesystem::path& file, const std::vector<ScalarError>& scalars) {
   CsvTable table({{"reference", ""},

@@ -30,7 +30,8 @@ GnuplotResult run_gnuplot(const std::filesystem::path& script) {
   std::error_code ignored;
   int status = 0;
   try {
-    status = ChildProcess({program, script.filename().string()}, {.log = log, .folder = folder}).wait();
+    // -d: without the user's own ~/.gnuplot, which would change the pictures.
+    status = ChildProcess({program, "-d", script.filename().string()}, {.log = log, .folder = folder}).wait();
   } catch (const StartError& error) {
     if (!error.not_found()) throw;
     std::filesystem::remove(log, ignored);

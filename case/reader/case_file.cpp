@@ -1,10 +1,13 @@
 #include "case/reader/case_file.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <sstream>
 
 #include "case/reader/read_tables.hpp"
 #include "case/reader/toml.hpp"
+#include "common/error.hpp"
 
 namespace thalweg {
 namespace {
@@ -45,6 +48,10 @@ void hash_files(const toml::table& root, Case& of) {
 Case read_case(const fs::path& case_path, const std::vector<std::string>& overrides) {
   const Declarations& tables = case_declarations();
   const fs::path file = find_case_file(case_path);
+  // The path goes into scripts and messages of one line.
+  const std::string path = fs::absolute(file).string();
+  if (std::any_of(path.begin(), path.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }))
+    throw InputError("the path of the case holds a line end or another control character; rename the file or folder");
   toml::table root = parse_case_toml(file);
   for (const std::string& text : overrides) apply_override(root, text, tables);
 

@@ -7,6 +7,9 @@ namespace thalweg {
 
 void CaseInfo::set_defaults(const GivenWords& given) { name = given.folder.filename().string(); }
 
-void CaseInfo::check(const Case&, const CheckContext& at) const { check_file_name(at, name); }
+void CaseInfo::check(const Case&, const CheckContext& at) const {
+  check_file_name(at, name);
+  check_line_of_text(at, "title", title);
+}
 
 }  // namespace thalweg

@@ -3,13 +3,43 @@
 #include <cctype>
 
 namespace thalweg {
+namespace {
+
+constexpr std::size_t longest_name = 64;  // [bytes] leaves room for folders and endings in 255
+
+/// A name as one line of a message.
+std::string shown(const std::string& name) {
+  std::string text;
+  for (const char c : name.substr(0, longest_name / 2)) text += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
+  return name.size() > longest_name / 2 ? text + "..." : text;
+}
+
+}  // namespace
+
+void check_word(const CheckContext& at, const std::string& kind, const std::string& name) {
+  // Letters beyond ASCII come as bytes from 0x80 on.
+  const bool usable = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return c >= 0x80 || std::isalnum(c) != 0 ||
+           std::string_view(" -_.,+()").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  const bool begins_well = !name.empty() && name.front() != '.' && name.front() != ' ' && name.back() != ' ';
+  if (usable && begins_well && name.size() <= longest_name) return;
+  at.reject(at.path(), fmt::format("\"{}\" cannot name a {}", shown(name), kind),
+            fmt::format("use letters, digits, blanks and - _ . , + ( ), at most {} of them", longest_name));
+}
+
+void check_line_of_text(const CheckContext& at, std::string_view key, const std::string& text) {
+  if (std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; })) return;
+  at.reject(at.key(key), at.key(key) + " holds a line end or another control character", "write it in one line");
+}
 
 void check_file_name(const CheckContext& at, const std::string& name) {
-  const bool usable = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
-  });
+  const bool usable =
+      !name.empty() && name.size() <= longest_name && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+      });
   if (usable && name.front() != '.') return;
-  at.reject(at.key("name"), fmt::format("{} = \"{}\" cannot name files", at.key("name"), name),
+  at.reject(at.key("name"), fmt::format("{} = \"{}\" cannot name files", at.key("name"), shown(name)),
             "use letters, digits, \"-\" and \"_\"");
 }
 

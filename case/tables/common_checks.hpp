@@ -18,6 +18,13 @@ namespace thalweg {
 /// The key `name` has to be fit for names of files and folders.
 void check_file_name(const CheckContext& at, const std::string& name);
 
+/// A name that stands in messages, files and dictionaries of other programs has to be a word of letters, digits, blanks
+/// and a few signs, at most 64 bytes long. `kind` says what it names: "shape".
+void check_word(const CheckContext& at, const std::string& kind, const std::string& name);
+
+/// A text of one line must not hold control characters.
+void check_line_of_text(const CheckContext& at, std::string_view key, const std::string& text);
+
 /// `from` and `to` have to be the lower and the upper corner of a box.
 void check_corners(const CheckContext& at, const Vec3& from, const Vec3& to);
 

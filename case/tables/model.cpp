@@ -5,6 +5,7 @@
 #include "case/case.hpp"
 #include "case/check_context.hpp"
 #include "case/models/all.hpp"
+#include "case/physics_checks.hpp"
 #include "case/tables/given_words.hpp"
 
 namespace thalweg {
@@ -36,6 +37,8 @@ void Model::check(const Case& whole, const CheckContext& at) const {
   models::for_each_rule(whole, [&](const models::Rule& rule) {
     if (rule.broken(whole)) at.reject(rule.blamed, rule.what, rule.cure);
   });
+  for (const PhysicsCheck& each : physics_checks())
+    if (const std::string blamed = each.met(whole); !blamed.empty()) at.reject(blamed, each.cause, each.cure);
 }
 
 void Model::explain_further(std::ostream& to, std::string_view key) {

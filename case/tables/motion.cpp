@@ -123,6 +123,7 @@ std::vector<std::string> Motion::needs_keys(int dimension) const {
 }
 
 void Motion::check(const Case& whole, const CheckContext& at) const {
+  check_word(at, "motion", name);
   check_keys(at, *this);
   const bool used = std::any_of(whole.shapes.begin(), whole.shapes.end(),
                                 [&](const Shape& s) { return s.role == ShapeRole::moving_wall && s.motion == name; });

@@ -3,6 +3,7 @@
 #include "case/case.hpp"
 #include "case/check_context.hpp"
 #include "case/models/three_state.hpp"
+#include "case/tables/common_checks.hpp"
 #include "case/tables/given_words.hpp"
 
 namespace thalweg {
@@ -20,6 +21,7 @@ void SedimentTable::set_defaults(const GivenWords& given) {
 }
 
 void SedimentTable::check(const Case& whole, const CheckContext& at) const {
+  check_word(at, "material", at.path().substr(at.path().find('.') + 1));
   if (dense_concentration < dilute_concentration) {
     at.reject(at.key("dense_concentration"), at.key("dense_concentration") + " is below dilute_concentration",
               "give at least as much, so that grains do not change to and fro");

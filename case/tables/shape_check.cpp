@@ -243,6 +243,7 @@ void check_role(const CheckContext& at, const Shape& s, const Case& whole) {
 }  // namespace
 
 void Shape::check(const Case& whole, const CheckContext& at) const {
+  check_word(at, "shape", name);
   check_keys(at, *this, " and this role");
   check_geometry(at, *this, whole);
   check_three_entries(at, "rotate", rotate);

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "case/physics_checks.hpp"
 #include "case/reader/case_file.hpp"
 #include "common/app/info.hpp"
 #include "common/app/pipeline.hpp"
@@ -37,14 +38,18 @@ int explain_keys(int argc, char** argv) {
   std::string key;
   bool markdown = false;
   bool schema = false;
+  bool physics = false;
   app.add_option("KEY", key, "A key or table, such as numerics.spacing, spacing, numerics; default: all");
   auto* as_markdown = app.add_flag("--markdown", markdown, "All keys as the page docs/case-file.md");
   app.add_flag("--schema", schema, "All keys as a JSON schema for editors")->excludes(as_markdown);
+  app.add_flag("--physics", physics, "The scenes that are refused as the page docs/refused-physics.md");
   if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
   if (markdown) {
     write_key_reference(std::cout);
   } else if (schema) {
     write_key_schema(std::cout);
+  } else if (physics) {
+    write_physics_checks(std::cout);
   } else {
     explain(std::cout, key);
   }

@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <string_view>
 #include <type_traits>
@@ -94,7 +95,18 @@ class Writer {
     array(name.c_str(), values.data(), values.size(), static_cast<int>(components));
   }
 
-  void points(PositionPrecision precision) {
+  /// Far from the origin (a UTM easting, a river's chainage) single precision cannot tell a hundredth of the spacing.
+  [[nodiscard]] PositionPrecision sufficient(PositionPrecision asked) const {
+    double farthest = 0;
+    for (const Vec3& p : particles_.position) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+    const double rounding = 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * farthest;
+    return rounding > 0.01 * particles_.info.spacing && particles_.info.spacing > 0
+               ? PositionPrecision::double_precision
+               : asked;
+  }
+
+  void points(PositionPrecision asked) {
+    const PositionPrecision precision = sufficient(asked);
     vtkNew<vtkPoints> points;
     const std::size_t n = particles_.size();
     if (particles_.position.size() != n || particles_.type.size() != n) reject("Position or Type", "is incomplete");

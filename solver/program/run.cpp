@@ -13,6 +13,7 @@
 
 #include "case/reader/case_file.hpp"
 #include "common/io/particle_file.hpp"
+#include "common/particle_checks.hpp"
 #include "common/units.hpp"
 #include "solver/program/announce.hpp"
 #include "solver/program/diagnosis.hpp"
@@ -53,6 +54,7 @@ Case read_resolved_case(const RunOptions& options) {
 ParticleSet read_start(const RunOptions& options, const Case& c) {
   const auto file = options.restart.empty() ? RunFolder{options.folder}.particles() : options.restart;
   ParticleSet particles = read_particles(file);
+  check_start(particles, file, c.info.dimension, c.numerics.spacing);
   const std::size_t n = particles.size();
   if (n == 0) throw InputError(file.string() + ": holds no particles; fill the scene again with gencase");
   if (particles.density.size() != n || particles.mass.size() != n) {

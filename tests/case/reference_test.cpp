@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "case/physics_checks.hpp"
 #include "tests/case/case_files.hpp"
 
 namespace thalweg {
@@ -49,6 +50,13 @@ TEST(Documentation, IsWhatTheDeclarationsSay) {
   std::ostringstream schema;
   write_key_schema(schema);
   EXPECT_EQ(text_of(source / "docs/case-file.schema.json"), schema.str()) << "build the target `docs`";
+}
+
+TEST(Documentation, OfRefusedPhysicsIsTheTableOfChecks) {
+  std::ostringstream markdown;
+  write_physics_checks(markdown);
+  EXPECT_EQ(text_of(source / "docs/refused-physics.md"), markdown.str()) << "build the target `docs`";
+  for (const PhysicsCheck& check : physics_checks()) EXPECT_LE(check.cause.size() + check.cure.size(), 220U);
 }
 
 }  // namespace

@@ -44,9 +44,10 @@ TEST(BadInput, PeriodicDomain) {
 TEST(BadInput, ShapesWithoutParticles) {
   Case scene = pool_in_tank();
   add_box(scene, "pond", ShapeRole::water, Vec3(20, 0, 0), Vec3(21, 0, 0.05));
-  EXPECT_EQ(refusal(scene),
-            "scene.toml:30: shape \"pond\" has 500 of its 500 particles outside of the domain, the first at x = 20 m, "
-            "z = 5 mm; enlarge [domain] or shrink the shape");
+  EXPECT_EQ(
+      refusal(scene),
+      "scene.toml:30: shape \"pond\" has 500 of its 500 particles outside of the domain, the first at x = 20.005 m, "
+      "z = 5 mm; enlarge [domain] or shrink the shape");
 
   scene = pool_in_tank();
   add_box(scene, "block", ShapeRole::wall, Vec3(0.05, 0, 0), Vec3(0.15, 0, 0.06));

@@ -256,24 +256,26 @@ TEST(MeshFile, EveryFormatGivesTheSameBody) {
   const fs::path folder = fs::path(MESHES);
   for (const char* name : {"box.stl", "box_text.stl", "box.obj", "box.off", "box_coloured.off", "box.ply",
                            "box_little_endian.ply", "box_big_endian.ply", "box.vtp"}) {
-    const Triangles surface = triangulate(read_mesh(folder / name));
+    const Triangles surface = triangulate(read_mesh(folder / name).soup);
     EXPECT_EQ(surface.points.size(), 8U) << name;
     EXPECT_NEAR(volume(surface), 0.1 * 0.1 * 0.2, 1e-9) << name;
-    EXPECT_FALSE(find_defects(surface, true).any()) << name << ": " << find_defects(surface, true).text();
+    EXPECT_FALSE(find_defects(surface, SurfaceUse::body).any())
+        << name << ": " << find_defects(surface, SurfaceUse::body).text();
   }
 }
 
 TEST(MeshRepair, CuresWhatItSays) {
   const Triangles box = tessellate_box(Vec3(0, 0, 0), Vec3(1, 1, 1));
-  const RepairLimits limits{1e-3, 2};
+  const RepairLimits limits{1e-3, 0, 2};
   Triangles spoiled = box;
   spoiled.corners.pop_back();                               // a hole
   std::swap(spoiled.corners[0][1], spoiled.corners[0][2]);  // a face turned
   spoiled.corners.push_back({3, 3, 1});                     // one without area
-  EXPECT_TRUE(find_defects(spoiled, true).any());
+  EXPECT_TRUE(find_defects(spoiled, SurfaceUse::body).any());
   const Repaired mended = repair(spoiled, limits);
   EXPECT_THAT(mended.changes, testing::ElementsAre("1 superfluous face dropped", "1 face turned", "1 hole filled"));
-  EXPECT_FALSE(find_defects(mended.surface, true).any()) << find_defects(mended.surface, true).text();
+  EXPECT_FALSE(find_defects(mended.surface, SurfaceUse::body).any())
+      << find_defects(mended.surface, SurfaceUse::body).text();
   EXPECT_NEAR(volume(mended.surface), 1, 1e-12);
 }
 
@@ -285,8 +287,8 @@ TEST(MeshRepair, UnitesBodiesThatReachIntoEachOther) {
     two.corners.push_back(corners);
   }
   two.points.insert(two.points.end(), other.points.begin(), other.points.end());
-  EXPECT_EQ(find_defects(two, true).intersections, find_defects(two, true).between_bodies);
-  const Repaired mended = repair(two, {1e-6, 0.1});
+  EXPECT_EQ(find_defects(two, SurfaceUse::body).intersections, find_defects(two, SurfaceUse::body).between_bodies);
+  const Repaired mended = repair(two, {1e-6, 0, 0.1});
   EXPECT_THAT(mended.changes, testing::ElementsAre("overlapping bodies united"));
   EXPECT_NEAR(volume(mended.surface), 1.125, 1e-12);
 }
@@ -301,9 +303,10 @@ TEST(MeshRepair, WeldsWhatTheLatticeCannotSee) {
       apart.points.push_back(box.points[corner] + 1e-5 * Vec3(first % 3, first % 5, first % 7));
     apart.corners.push_back({first, first + 1, first + 2});
   }
-  EXPECT_TRUE(find_defects(apart, true).any());
-  const Repaired mended = repair(apart, {1e-3, 0});
-  EXPECT_FALSE(find_defects(mended.surface, true).any()) << find_defects(mended.surface, true).text();
+  EXPECT_TRUE(find_defects(apart, SurfaceUse::body).any());
+  const Repaired mended = repair(apart, {1e-3, 0, 0});
+  EXPECT_FALSE(find_defects(mended.surface, SurfaceUse::body).any())
+      << find_defects(mended.surface, SurfaceUse::body).text();
   EXPECT_NEAR(volume(mended.surface), 1, 1e-3);
 }
 
@@ -311,7 +314,7 @@ TEST(MeshDefects, CountsHolesAndTheirLengths) {
   Triangles box = tessellate_box(Vec3(0, 0, 0), Vec3(1, 2, 3));
   box.corners.erase(box.corners.begin() + 2, box.corners.begin() + 4);  // the lid, 1 x 2
   box.corners.erase(box.corners.begin() + 2);                           // half of the side y = 0, 1 x 3
-  const MeshDefects defects = find_defects(box, true);
+  const MeshDefects defects = find_defects(box, SurfaceUse::body);
   // They share a corner only: 2 + 1 + 2 + 1 around the lid, 1 + 3 + sqrt(10) around half of the side.
   EXPECT_EQ(defects.holes, 2U);
   EXPECT_NEAR(defects.hole_length, 6 + 4 + std::sqrt(10.0), 1e-12);

@@ -26,9 +26,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   std::istringstream from(bytes);
   try {
-    const auto surface = thalweg::gencase::triangulate(thalweg::gencase::read_mesh(from, format_of(bytes)));
+    const auto surface = thalweg::gencase::triangulate(thalweg::gencase::read_mesh(from, format_of(bytes)).soup);
     constexpr std::size_t few = 100;  // self-intersections of many faces take their time
-    if (surface.corners.size() < few) (void)thalweg::gencase::find_defects(surface, true).text();
+    if (surface.corners.size() < few)
+      (void)thalweg::gencase::find_defects(surface, thalweg::gencase::SurfaceUse::body).text();
   } catch (const thalweg::InputError&) {
   }
   return 0;
