@@ -17,6 +17,14 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
+/// A value as a reader would write it: numbers in their shortest form.
+std::string text_of(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  std::ostringstream text;
+  node.visit([&](const auto& typed) { text << typed; });
+  return text.str();
+}
+
 /// Takes the values of a table under the names that a reader knows: entries of [[shape]] by their names.
 void flatten(const toml::table& table, const std::string& prefix, Values& into) {
   for (const auto& [name, node] : table) {
@@ -29,9 +37,7 @@ void flatten(const toml::table& table, const std::string& prefix, Values& into) 
         flatten(*entry.as_table(), fmt::format("{}.{}.", key, name_of_entry(*entry.as_table())), into);
       }
     } else {
-      std::ostringstream value;
-      node.visit([&](const auto& typed) { value << typed; });
-      into[key] = value.str();
+      into[key] = text_of(node);
     }
   }
 }

@@ -18,6 +18,7 @@ namespace {
 // checkpoint; a third coordinate and further models add to it.
 constexpr double snapshot_bytes = 45;
 constexpr double checkpoint_bytes = 120;
+constexpr double many_snapshots = 10'000;
 constexpr double checkpoints = 3;  // two are kept while a third is written
 
 double snapshots_left(const Case& scene, double from) {
@@ -47,6 +48,10 @@ void check_disk(const Case& scene, const RunFolder& run, const ParticleSet& star
         format_quantity(scene.output.interval, "s")));
   }
   spdlog::info("{:.0f} snapshots to come, about {}; {} are free", snapshots, format_bytes(needed), format_bytes(free));
+  if (snapshots > many_snapshots) {
+    spdlog::warn("every snapshot ends a time step: {:.0f} of them slow the run down; lengthen output.interval (now {})",
+                 snapshots, format_quantity(scene.output.interval, "s"));
+  }
   if (needed > free / 2) spdlog::warn("the run will take more than half of the free space in {}", run.root.string());
 }
 
