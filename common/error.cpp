@@ -40,7 +40,8 @@ int run_program(int (*body)(int, char**), int argc, char** argv) noexcept {
   open_standard_descriptors();
   // A file that meets the limit on sizes is an error of the write then, as a full disk is, and no end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGUSR1, SIG_IGN);  // "write now" to a whole pipeline concerns the solver alone, which listens
+  // "Write now" to a whole pipeline concerns the solver alone, which has said by now that it listens.
+  if (const auto before = std::signal(SIGUSR1, SIG_IGN); before != SIG_DFL) std::signal(SIGUSR1, before);
   try {
     const int status = body(argc, argv);
     if (brought_out() || status != 0) return status;

@@ -7,7 +7,7 @@
 
 namespace thalweg {
 
-/// How a whole file is put in its place.
+/// The way in which a whole file is put in its place.
 struct WholeFile {
   std::filesystem::path previous{};  // keeps what stood there before, under this name; empty: that is lost
   bool make_folders = true;          // false: a folder that is gone is an error

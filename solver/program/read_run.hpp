@@ -8,7 +8,7 @@
 
 namespace thalweg {
 
-/// What a run starts from: the scene as gencase has filled it, or a checkpoint of it.
+/// The start of a run: the scene as gencase has filled it, or a checkpoint of it.
 struct RunStart {
   Case scene;
   ParticleSet particles;

@@ -279,7 +279,7 @@ Exit run_solver(const RunOptions& options) {
   const RunLock lock(options.folder, "thalweg-solver");
   const RunStart start = read_run(options);
   const bool fresh = options.benchmark == 0 && !start.continued;
-  if (fresh && !options.force) {
+  if (fresh && !options.force && options.restart.empty()) {
     refuse_to_replace(folder, "continue it with --restart latest, or replace it with --force");
   }
   if (options.benchmark == 0) check_disk(start.scene, folder, start.particles);
