@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "common/error.hpp"
 #include "common/memory.hpp"
 #include "common/units.hpp"
 #include "solver/program/schedule.hpp"
@@ -40,19 +39,17 @@ void check_disk(const Case& scene, const RunFolder& run, const ParticleSet& star
   const auto free = static_cast<double>(space.available);
   const double needed = disk_needed(scene, start);
   const double snapshots = snapshots_left(scene, start.info.time);
-  if (needed > free) {
-    throw InputError(fmt::format(
-        "{}: {:.0f} snapshots of {} particles need about {}, and {} are free there; lengthen output.interval (now {}), "
-        "or make room",
-        run.root.string(), snapshots, start.size(), format_bytes(needed), format_bytes(free),
-        format_quantity(scene.output.interval, "s")));
-  }
   spdlog::info("{:.0f} snapshots to come, about {}; {} are free", snapshots, format_bytes(needed), format_bytes(free));
   if (snapshots > many_snapshots) {
     spdlog::warn("every snapshot ends a time step: {:.0f} of them slow the run down; lengthen output.interval (now {})",
                  snapshots, format_quantity(scene.output.interval, "s"));
   }
-  if (needed > free / 2) spdlog::warn("the run will take more than half of the free space in {}", run.root.string());
+  if (needed > free / 2) {
+    spdlog::warn(
+        "{}: the files of the run will take {} of the free space; lengthen output.interval (now {}), or make room",
+        run.root.string(), needed > free ? "more than all" : "more than half",
+        format_quantity(scene.output.interval, "s"));
+  }
 }
 
 }  // namespace thalweg

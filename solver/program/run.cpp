@@ -82,6 +82,8 @@ class Run {
         write_snapshot();
         ++next;
       }
+      // After the snapshot of the same step, which a continued run takes as written.
+      if (take_write_request() || since_checkpoint_.wall() > case_.output.checkpoint_interval) write_checkpoint();
       if (stop_signal() != 0) return stop_early();
     }
     const auto last = simulation_->take_excluded();
@@ -134,9 +136,6 @@ class Run {
       if (!case_.gauges.empty() && clock_.time >= next_gauges_ - gauge_rounding * gauge_interval_) {
         read_gauges_now();
         next_gauges_ = gauge_time_after(clock_.time);
-      }
-      if (take_write_request() || since_checkpoint_.wall() > case_.output.checkpoint_interval) {
-        write_checkpoint();
       }
       progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
     });
@@ -191,7 +190,7 @@ class Run {
   }
 
   void write_checkpoint() {
-    output_.checkpoint(*simulation_, clock_, case_text_, counts_now());
+    simulation_->timing().time("output", [&] { output_.checkpoint(*simulation_, clock_, case_text_, counts_now()); });
     since_checkpoint_ = {};
   }
 

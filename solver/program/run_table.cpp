@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -61,9 +62,10 @@ std::vector<std::string> rows_until(const fs::path& file, const std::string& hea
     return kept;
   }
   const std::ptrdiff_t cells = separators(heading);
+  const double last = std::max(until, std::stod(fmt::format("{:.9g}", until)));  // as the rows of that time say it
   while (std::getline(old, line) && !old.eof()) {
     const auto time = time_of(line, cells);
-    if (time && *time <= until) kept.push_back(line);
+    if (time && *time <= last) kept.push_back(line);
   }
   return kept;
 }

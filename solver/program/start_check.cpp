@@ -64,8 +64,9 @@ class Checker {
     if (twin != order.end()) reject(fmt::format("two particles have the id {}", p_.id[*twin]), "give each its own");
   }
 
-  /// Two particles in one place have no direction between them, and push nothing apart.
-  void places() const {
+  /// Two particles in one place have no direction between them, and push nothing apart. In a mixture grains and pore
+  /// water share places.
+  void places(bool mixed) const {
     const auto less = [&](std::size_t a, std::size_t b) {
       return std::lexicographical_compare(p_.position[a].begin(), p_.position[a].end(), p_.position[b].begin(),
                                           p_.position[b].end());
@@ -73,7 +74,10 @@ class Checker {
     const auto order = sorted(less);
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (p_.position[order[i]] != p_.position[order[i - 1]]) continue;
-      if (!is_fluid(p_.type[order[i]]) && !is_fluid(p_.type[order[i - 1]])) continue;
+      const ParticleType type = p_.type[order[i]];
+      const ParticleType other = p_.type[order[i - 1]];
+      if (!is_fluid(type) && !is_fluid(other)) continue;
+      if (mixed && type != other) continue;
       reject_particle(order[i], fmt::format("it lies in the place of particle {}", p_.id[order[i - 1]]));
     }
   }
@@ -124,7 +128,7 @@ void check_start(const ParticleSet& particles, const std::filesystem::path& file
   check.sizes(scene);
   check.numbers();
   check.ids();
-  check.places();
+  check.places(scene.model.seepage == SeepageModel::mixture);
 }
 
 }  // namespace thalweg
