@@ -104,7 +104,7 @@ std::string CsvColumn::heading() const { return unit.empty() ? name : fmt::forma
 
 std::string csv_number(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
 
-CsvTable CsvTable::read(const fs::path& file) {
+CsvTable CsvTable::read(const fs::path& file, LastLine last) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string() + ": cannot be opened; check the name and the permissions");
   CsvTable table({});
@@ -113,6 +113,7 @@ CsvTable CsvTable::read(const fs::path& file) {
   int line_number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++line_number;
+    if (last == LastLine::may_be_cut && stream.eof()) break;
     if (line.ends_with('\r')) line.pop_back();
     if (line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // spreadsheets write this mark
     if (line.find_first_not_of(" \t") == std::string::npos) continue;

@@ -15,6 +15,9 @@ struct CsvColumn {
   [[nodiscard]] std::string heading() const;
 };
 
+/// The last line of a table that a program is still writing may be cut off: one without its end is left out then.
+enum class LastLine { whole, may_be_cut };
+
 /// A CSV table as described in docs/file-formats.md: commas, one heading line with units, `#` comment lines. Cells are
 /// kept as text; numbers() converts a column.
 class CsvTable {
@@ -24,7 +27,7 @@ class CsvTable {
 
   /// Reads a table. Throws InputError "file:line: what is wrong; what to do" if there is no such file, no heading, a
   /// heading twice, a row with too many or too few cells, or a quote that is not closed.
-  static CsvTable read(const std::filesystem::path& file);
+  static CsvTable read(const std::filesystem::path& file, LastLine last = LastLine::whole);
 
   /// Writes the table, whole or not at all. Throws RunError.
   void write(const std::filesystem::path& file) const;

@@ -1,7 +1,13 @@
 #include "common/error.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <iostream>
 #include <new>
 
 namespace thalweg {
@@ -14,17 +20,41 @@ int report(Exit status, std::string message) {
   return static_cast<int>(status);
 }
 
+/// Descriptors 0 to 2 that the caller has closed lead to /dev/null; otherwise the next file that is opened gets their
+/// number, and the log's lines.
+void open_standard_descriptors() {
+  int descriptor = open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDWR);
+  if (descriptor >= 0) close(descriptor);
+}
+
+/// Text that stays in the buffers is lost when a program ends.
+bool brought_out() {
+  std::cout.flush();
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+}
+
 }  // namespace
 
 int run_program(int (*body)(int, char**), int argc, char** argv) noexcept {
+  open_standard_descriptors();
+  // A file that meets the limit on sizes is an error of the write then, as a full disk is, and no end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  // "Write now" to a whole pipeline concerns the solver alone, which has said by now that it listens.
+  if (const auto before = std::signal(SIGUSR1, SIG_IGN); before != SIG_DFL) std::signal(SIGUSR1, before);
   try {
-    return body(argc, argv);
+    const int status = body(argc, argv);
+    if (brought_out() || status != 0) return status;
+    return report(Exit::run_failed, "standard output cannot be written; check the free space where it goes");
   } catch (const InputError& error) {
     return report(Exit::input_wrong, error.what());
   } catch (const RunError& error) {
     return report(Exit::run_failed, error.what());
   } catch (const std::bad_alloc&) {
     return report(Exit::run_failed, "out of memory; use a larger spacing or a machine with more memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(Exit::run_failed, error.path1().string() + ": " + error.code().message() +
+                                        "; check the name, the permissions and the free space");
   } catch (const std::exception& error) {
     return report(Exit::run_failed, std::string("unexpected failure: ") + error.what() +
                                         "; this is a defect of Thalweg, please report it with the case");

@@ -107,6 +107,7 @@ class Handler {
     struct sigaction action {};
     action.sa_handler = handle;
     sigaction(signal_, &action, &before_);
+    if (signal == SIGHUP && before_.sa_handler == SIG_IGN) sigaction(signal_, &before_, nullptr);  // under nohup
   }
   ~Handler() { sigaction(signal_, &before_, nullptr); }
   Handler(const Handler&) = delete;
@@ -208,6 +209,8 @@ int run_in_foreground(const std::vector<std::string>& command) {
   remembered_signal = 0;
   const Handler interrupt(SIGINT, leave_to_child);
   const Handler terminate(SIGTERM, pass_on);
+  const Handler hang_up(SIGHUP, pass_on);
+  const Handler write_now(SIGUSR1, pass_on);
   ChildProcess child(command);
   foreground_child = child.id();
   if (remembered_signal != 0) kill(child.id(), remembered_signal);  // it came while the child was being started

@@ -70,7 +70,7 @@ class ChildProcess {
 
 /// Runs `command` to its end in this program's place on the terminal, and returns its exit status, or 128 + n if signal
 /// n ended it. Ctrl-C reaches the child as it reaches this program, which waits for the child to finish in its own way.
-/// SIGTERM, which batch systems send to the parent alone, is passed on. Throws StartError.
+/// SIGTERM, SIGHUP and SIGUSR1, which batch systems send to the parent alone, are passed on. Throws StartError.
 int run_in_foreground(const std::vector<std::string>& command);
 
 /// Replaces this program by `command`; does not return. Throws StartError.

@@ -20,6 +20,11 @@ struct RunFolder {
   [[nodiscard]] std::filesystem::path summary() const { return root / "summary.csv"; }
   [[nodiscard]] std::filesystem::path excluded() const { return root / "excluded.csv"; }
   [[nodiscard]] std::filesystem::path checkpoint() const { return root / "checkpoint.vtp"; }
+  /// The checkpoint before the last.
+  [[nodiscard]] std::filesystem::path previous_checkpoint() const { return root / "checkpoint.previous.vtp"; }
+  [[nodiscard]] std::filesystem::path diverged() const { return root / "diverged.vtp"; }
+  /// Carries the lock of the program that writes the folder (run_lock.hpp).
+  [[nodiscard]] std::filesystem::path lock() const { return root / ".lock"; }
   [[nodiscard]] std::filesystem::path profiles() const { return root / "profiles"; }
   [[nodiscard]] std::filesystem::path surfaces() const { return root / "surfaces"; }
   [[nodiscard]] std::filesystem::path view_script() const { return root / "view.py"; }

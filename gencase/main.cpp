@@ -3,12 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "case/reader/case_file.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
+#include "common/io/run_results.hpp"
 #include "common/run_folder.hpp"
+#include "common/run_lock.hpp"
+#include "common/whole_file.hpp"
 #include "gencase/generate.hpp"
 #include "gencase/report.hpp"
 
@@ -46,6 +50,7 @@ int gencase(int argc, char** argv) {
   std::vector<std::string> overrides;
   bool check = false;
   bool repair = false;
+  bool force = false;
   app.add_option("CASE", case_path, "folder with case.toml, or the file")->required();
   app.add_option("--out", out, "folder of the run; default: out/<case name>");
   app.add_option("--set", overrides, "key=value: overrides a key of the case, as in numerics.spacing=\"4 mm\"")
@@ -53,11 +58,18 @@ int gencase(int argc, char** argv) {
       ->take_all();
   app.add_flag("--check", check, "do everything but write files");
   app.add_flag("--repair", repair, "mend surface meshes that bound no volume, and say what was changed");
+  app.add_flag("--force", force, "fill the folder although it holds a run, whose results then belong to another scene");
   if (const auto answered = thalweg::parse_command_line(app, argc, argv)) return *answered;
 
   Case scene = thalweg::read_case(case_path, overrides);
   if (repair) ask_for_repair(scene);
   const thalweg::RunFolder folder{out.empty() ? fs::path("out") / scene.info.name : fs::path(out)};
+  std::optional<thalweg::RunLock> lock;
+  if (!check) {
+    lock.emplace(folder.root, "thalweg-gencase");
+    if (!force) thalweg::refuse_to_replace(folder, "fill another folder (--out), or replace it with --force");
+    thalweg::remove_dead_parts(folder.root);
+  }
   const auto begin = std::chrono::steady_clock::now();
   const thalweg::gencase::Generated generated = thalweg::gencase::generate(scene, options_for(folder.root, check));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

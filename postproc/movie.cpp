@@ -152,12 +152,13 @@ class Stage {
     const vtkNew<vtkWindowToImageFilter> grab;
     grab->SetInput(window_);
     grab->ReadFrontBufferOff();
-    write_whole_file(file, [&](const fs::path& temporary) {
-      const vtkNew<vtkPNGWriter> writer;
-      writer->SetFileName(temporary.c_str());
-      writer->SetInputConnection(grab->GetOutputPort());
-      writer->Write();
-    });
+    const vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(grab->GetOutputPort());
+    writer->WriteToMemoryOn();
+    writer->Write();
+    vtkUnsignedCharArray* picture = writer->GetResult();
+    const auto size = static_cast<std::size_t>(picture->GetNumberOfValues());
+    write_whole_bytes(file, {reinterpret_cast<const char*>(picture->GetPointer(0)), size});
   }
 
  private:

@@ -94,6 +94,7 @@ bool make_report(ReportInput& input, bool in_space) {
 
 Exit postprocess(const PostprocessOptions& options) {
   const RunFolder run = existing_run(options.folder);
+  remove_dead_parts(run.root);
   ReportInput input;
   input.run = run;
   input.resolved = read_case(run.resolved_case());

@@ -20,7 +20,7 @@ std::optional<double> number_in(const std::string& text) {
 
 // The table in a file, or nothing when there is no such file: every table of a run may be missing.
 std::optional<CsvTable> table_in(const fs::path& file) {
-  return fs::exists(file) ? std::make_optional(CsvTable::read(file)) : std::nullopt;
+  return fs::exists(file) ? std::make_optional(CsvTable::read(file, LastLine::may_be_cut)) : std::nullopt;
 }
 
 // The numbers of a column; none when the table does not have it.

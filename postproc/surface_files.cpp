@@ -2,6 +2,8 @@
 #include <vtkNew.h>
 #include <vtkSTLWriter.h>
 
+#include <cstdint>
+
 #include "common/error.hpp"
 #include "common/io/poly_data_file.hpp"
 #include "common/io/vtk_errors.hpp"
@@ -24,7 +26,10 @@ void write_stl(const std::filesystem::path& file, const Surface& surface) {
     writer->SetInputData(surface.data);
     writer->SetFileName(temporary.c_str());
     writer->SetFileTypeToBinary();
-    if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError || errors->any()) {
+    const bool said_whole = writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError && !errors->any();
+    // VTK does not look whether the last bytes found room. Binary STL: 84 bytes, and 50 a triangle.
+    const auto size = 84 + 50 * static_cast<std::uintmax_t>(surface.data->GetNumberOfPolys());
+    if (!said_whole || std::filesystem::file_size(temporary) != size) {
       throw RunError(file.string() + ": cannot be written; check the folder's permissions and free space");
     }
   });

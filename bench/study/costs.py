@@ -43,7 +43,7 @@ def fill(thalweg, case, run, changes=()):
     scene = {"case": (case / "case.toml").read_text(encoding="utf-8"), "changes": list(changes)}
     if mark.exists() and json.loads(mark.read_text(encoding="utf-8")) == scene:
         return run
-    call(thalweg, "gencase", case, "--out", run, *overrides(changes))
+    call(thalweg, "gencase", case, "--out", run, "--force", *overrides(changes))
     mark.write_text(json.dumps(scene), encoding="utf-8")
     return run
 
@@ -56,7 +56,7 @@ def write_case(text, folder):
 
 def solve(thalweg, run, *options, threads=1):
     """Runs the solver in the folder of a filled scene and returns the cost of its steps, as it reports them."""
-    used = call(thalweg, "solver", run, "--threads", threads, *options)
+    used = call(thalweg, "solver", run, "--threads", threads, "--force", *options)
     value = {row["quantity"]: row["value"] for row in text_rows(run / "summary.csv")}
     return Cost(steps=int(value["steps_since_restart"]), fluid=int(value["fluid_particles"]),
                 particles=int(value["particles"]), cpu=float(value["cpu_seconds"]), wall=float(value["wall_seconds"]),

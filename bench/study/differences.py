@@ -3,8 +3,6 @@
 from study.particle_file import numbers, stored_arrays
 from study.tables import text_rows
 
-COUNTED_ANEW = {"viscous_retries"}  # columns that count from the last restart
-
 
 def common_rows(name, left, right):
     """The rows of both tables at steps, or times, that both have: a restarted run writes rows of its own."""
@@ -26,7 +24,6 @@ def first_table_difference(name, a, b, one_sided, restarted=False):
     columns = [column for column in left[0] if column in right[0]]
     one_sided |= {f"column {column} of {name}" for column in left[0].keys() ^ right[0].keys()}
     if restarted:
-        columns = [column for column in columns if column.split(" [")[0] not in COUNTED_ANEW]
         left, right = common_rows(name, left, right)
     for row, other in zip(left, right):
         for column in columns:

@@ -7,6 +7,7 @@ import zlib
 
 WALL, MOVING_WALL, WATER, SEDIMENT = range(4)  # of the array Type
 FORMATS = {"Float32": "f", "Float64": "d", "UInt8": "B", "Int32": "i", "Int64": "q"}
+SEAL = re.compile(r"<!-- crc32 \w+ of all above -->\n$")
 ARRAY = re.compile(r'<DataArray type="(\w+)" Name="(\w+)"[^>]*>\s*([^<]*?)\s*<', re.DOTALL)
 
 
@@ -43,13 +44,13 @@ def arrays(file, wanted):
 
 
 def stored_arrays(file):
-    """The VTK type and the bytes of every numerical array, by name; the cells' topology is left out."""
+    """The VTK type and the bytes of every array, by name; the cells' topology and what tells of the run's costs are left out."""
     return {name: (kind, decoded(text)) for kind, name, text in ARRAY.findall(file.read_text(encoding="latin-1"))
-            if name not in ("connectivity", "offsets")}
+            if name not in ("connectivity", "offsets", "Case", "Arrays", "RunCounts")}
 
 
 def replace_arrays(file, replacements):
-    """Puts other values into arrays that the file has; their number stays."""
+    """Puts other values into arrays that the file has; their number stays. The seal goes, which would not fit any more."""
     text = file.read_text(encoding="latin-1")
     missing = set(replacements) - {name for _, name, _ in ARRAY.findall(text)}
     if missing:
@@ -64,7 +65,7 @@ def replace_arrays(file, replacements):
             raise ValueError(f"{file}: {name} has another number of values")
         return match.group().replace(old, encoded(struct.pack(f"<{len(values)}{FORMATS[kind]}", *values)))
 
-    file.write_text(ARRAY.sub(exchanged, text), encoding="latin-1")
+    file.write_text(SEAL.sub("", ARRAY.sub(exchanged, text)), encoding="latin-1")
 
 
 def of_fluid(particles):

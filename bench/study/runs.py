@@ -37,7 +37,7 @@ class Run:
             begun.write_text(json.dumps(self.settings), encoding="utf-8")
             call(self.thalweg, "solver", self.folder, "--threads", "1")
         else:
-            call(self.thalweg, "solver", self.folder, "--threads", "1", "--restart", checkpoint)
+            call(self.thalweg, "solver", self.folder, "--threads", "1", "--restart", "latest")
         if postproc:
             call(self.thalweg, "postproc", self.folder)
         begun.rename(self.folder / "study.json")
@@ -47,8 +47,8 @@ class Run:
         return next(row["value"] for row in read_table(self.folder / "summary.csv") if row["quantity"] == quantity)
 
     def cpu_seconds(self):
-        """Processor time of the whole run [s]; of a continued run the time of its last part, scaled by the number of steps."""
-        return self.summary("cpu_seconds") * self.summary("steps") / self.summary("steps_since_restart")
+        """Processor time of the whole run [s], over all restarts."""
+        return self.summary("cpu_seconds")
 
     def profile_distances(self, others):
         """Root mean squares [m] between profiles of this run and of the others, by (other's name, curve, time)."""

@@ -10,6 +10,9 @@ namespace thalweg {
 struct Output {
   static constexpr TableHeading heading{"output", "What is written, and when."};
 
+  /// Every snapshot ends a time step and is a file: more of them are a slip of the unit.
+  static constexpr int most_snapshots = 1'000'000;
+
   double end = required;             // [s]
   double interval = 0;               // [s]
   std::vector<double> times;         // [s]

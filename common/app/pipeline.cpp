@@ -8,8 +8,10 @@
 #include <cstdio>
 
 #include "case/reader/case_file.hpp"
+#include "case/reader/differences.hpp"
 #include "common/app/programs.hpp"
 #include "common/error.hpp"
+#include "common/io/run_results.hpp"
 #include "common/process.hpp"
 #include "common/run_folder.hpp"
 
@@ -22,26 +24,62 @@ struct Stage {
   bool needed = true;  // the pipeline ends if it fails
 };
 
-std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, const std::string& out) {
-  const std::string case_path = options.case_path.string();
-  std::vector<std::string> overrides;
-  for (const std::string& text : options.overrides) overrides.insert(overrides.end(), {"--set", text});
-  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  };
-  std::vector<Stage> stages{{"gencase", with({case_path, "--out", out}, overrides)},
-                            {"solver", with({out}, options.for_solver)}};
-  for (int run = 1, times = 2; run < scene.compare.runs; ++run, times *= 2) {
-    const std::string folder = RunFolder{out}.coarser(times).root.string();
-    const std::string spacing = fmt::format("numerics.spacing={} m", times * scene.numerics.spacing);
-    stages.push_back({"gencase", with(with({case_path, "--out", folder}, overrides), {"--set", spacing}), false});
-    stages.push_back({"solver", with({folder}, options.for_solver), false});
-    stages.push_back({"postproc", {folder}, false});
+using Words = std::vector<std::string>;
+
+Words with(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// True if the folder holds the run of this case from its start to its end.
+bool is_finished(const RunFolder& run, double end) {
+  constexpr double rounding = 1e-9;
+  return std::filesystem::exists(run.summary()) && time_reached(run).value_or(0) >= end * (1 - rounding);
+}
+
+/// The stages that fill and run the scene in a folder: all of them, or with --resume those that are not done.
+void add_run(std::vector<Stage>& stages, const PipelineOptions& options, const RunFolder& run, const Words& overrides,
+             double end, bool needed) {
+  const Words force = options.force ? Words{"--force"} : Words{};
+  const std::string folder = run.root.string();
+  const bool filled = std::filesystem::exists(run.resolved_case()) && std::filesystem::exists(run.particles());
+  if (!options.resume || !filled) {
+    const Words arguments{options.case_path.string(), "--out", folder};
+    stages.push_back({"gencase", with(with(arguments, overrides), force), needed});
   }
-  if (options.foam) stages.push_back({"foam", with({case_path, "--out", out}, overrides)});
+  if (options.resume && is_finished(run, end)) return;
+  const Words start = options.resume ? Words{"--restart", "latest"} : force;
+  stages.push_back({"solver", with(with({folder}, options.for_solver), start), needed});
+}
+
+std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, const std::string& out) {
+  Words overrides;
+  for (const std::string& text : options.overrides) overrides.insert(overrides.end(), {"--set", text});
+  std::vector<Stage> stages;
+  add_run(stages, options, RunFolder{out}, overrides, scene.output.end, true);
+  for (int run = 1, times = 2; run < scene.compare.runs; ++run, times *= 2) {
+    const RunFolder folder = RunFolder{out}.coarser(times);
+    const std::string spacing = fmt::format("numerics.spacing={} m", times * scene.numerics.spacing);
+    add_run(stages, options, folder, with(overrides, {"--set", spacing}), scene.output.end, false);
+    stages.push_back({"postproc", {folder.root.string()}, false});
+  }
+  if (options.foam) {
+    stages.push_back({"foam", with({options.case_path.string(), "--out", out}, overrides)});
+  }
   stages.push_back({"postproc", {out, "--report"}});
   return stages;
+}
+
+/// A folder that was filled from another case cannot be gone on with. The largest speed is gencase's to find.
+void require_same_case(const RunFolder& run, const Case& scene) {
+  if (!std::filesystem::exists(run.resolved_case())) return;
+  for (const KeyDifference& key : differences(case_text(read_case(run.resolved_case())), case_text(scene))) {
+    if (key.key == "numerics.maximum_speed" && scene.numerics.maximum_speed == 0) continue;
+    throw InputError(
+        fmt::format("{}: filled from another case: {} {} -> {}; give the same case and --set to --resume "
+                    "it, or another --out",
+                    run.root.string(), key.key, key.before, key.now));
+  }
 }
 
 void announce(const std::string& line) {
@@ -67,6 +105,11 @@ int run_pipeline(const PipelineOptions& given) {
     options.foam = false;
   }
 
+  const RunFolder folder{out};
+  if (options.resume) require_same_case(folder, scene);
+  if (!options.resume && !options.force) {
+    refuse_to_replace(folder, "continue it with --resume, replace it with --force, or give another --out");
+  }
   const std::vector<Stage> stages = stages_of(options, scene, out);
   for (const Stage& stage : stages) (void)stage_program(stage.name);  // throws before the first one runs
   for (const Stage& stage : stages) {

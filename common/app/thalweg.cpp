@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
   app.add_option("--backend", backend, "Passed on to the solver");
   app.add_option("--threads", threads, "Passed on to the solver");
   app.add_flag("--no-foam", no_foam, "Without the mesh model");
+  auto* resume = app.add_flag("--resume", options.resume, "Goes on with the run that the folder holds");
+  app.add_flag("--force", options.force, "Replaces the run that the folder holds")->excludes(resume);
   if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
   if (!backend.empty()) options.for_solver.insert(options.for_solver.end(), {"--backend", backend});
   if (!threads.empty()) options.for_solver.insert(options.for_solver.end(), {"--threads", threads});

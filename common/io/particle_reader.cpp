@@ -18,6 +18,7 @@
 #include <type_traits>
 
 #include "common/error.hpp"
+#include "common/io/file_seal.hpp"
 #include "common/io/particle_names.hpp"
 #include "common/io/vtk_errors.hpp"
 #include "common/particle_arrays.hpp"
@@ -31,6 +32,9 @@ class Reader {
  public:
   explicit Reader(const fs::path& file) : file_(file) {
     if (!fs::is_regular_file(file)) reject("there is no such file", "check the name, or run the program that makes it");
+    if (seal_state(file) == SealState::broken) {
+      reject("is damaged: its checksum does not fit its contents", "take an earlier copy, or write it again");
+    }
     reader_->AddObserver(vtkCommand::ErrorEvent, errors_);
     reader_->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors_);
     reader_->SetReaderErrorObserver(errors_);
@@ -66,6 +70,16 @@ class Reader {
     read_further(set, members);
     read_facts(set);
     return set;
+  }
+
+  // Every text of the field data; after particles().
+  void read_texts(std::map<std::string, std::string>& texts) const {
+    vtkFieldData* facts = data_->GetFieldData();
+    for (int i = 0; i < facts->GetNumberOfArrays(); ++i) {
+      auto* array = vtkStringArray::SafeDownCast(facts->GetAbstractArray(i));
+      if (array == nullptr || array->GetName() == nullptr || array->GetNumberOfValues() == 0) continue;
+      texts[array->GetName()] = array->GetValue(0);
+    }
   }
 
  private:
@@ -221,7 +235,12 @@ class Reader {
 
 }  // namespace
 
-ParticleSet read_particles(const fs::path& file) { return Reader(file).particles(); }
+ParticleSet read_particles(const fs::path& file, std::map<std::string, std::string>* texts) {
+  Reader reader(file);
+  ParticleSet particles = reader.particles();
+  if (texts != nullptr) reader.read_texts(*texts);
+  return particles;
+}
 
 ParticleFileInfo read_particle_info(const fs::path& file) { return Reader(file).info_only(); }
 

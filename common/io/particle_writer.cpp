@@ -152,10 +152,12 @@ class Writer {
 
 }  // namespace
 
-void write_particles(const fs::path& file, const ParticleSet& particles, PositionPrecision precision) {
+void write_particles(const fs::path& file, const ParticleSet& particles, PositionPrecision precision,
+                     const std::map<std::string, std::string>& texts, const WholeFile& how) {
   Writer contents(file, particles);
   const vtkSmartPointer<vtkPolyData> data = contents.poly_data(precision);
-  write_poly_data(file, data);
+  for (const auto& [name, text] : texts) add_fact(data, name.c_str(), text);
+  write_poly_data(file, data, how);
 }
 
 }  // namespace thalweg

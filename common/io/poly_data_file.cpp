@@ -1,17 +1,18 @@
 #include "common/io/poly_data_file.hpp"
 
 #include <vtkAOSDataArrayTemplate.h>
-#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <string>
+
 #include "common/error.hpp"
+#include "common/io/file_seal.hpp"
 #include "common/io/particle_names.hpp"
 #include "common/io/vtk_errors.hpp"
-#include "common/whole_file.hpp"
 
 namespace thalweg {
 namespace {
@@ -53,27 +54,27 @@ void add_facts(vtkPolyData* data, const ParticleFileInfo& info) {
   add_text(data, particle_names::hash, info.case_hash);
 }
 
-void write_poly_data(const std::filesystem::path& file, vtkPolyData* data) {
-  write_whole_file(file, [&](const std::filesystem::path& temporary) {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    vtkNew<VtkErrors> errors;
-    writer->AddObserver(vtkCommand::ErrorEvent, errors);
-    writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
-    writer->SetInputData(data);
-    writer->SetFileName(temporary.c_str());
-    // Appended raw data would be a quarter smaller, but since the expat of Debian 12.12 ParaView 5.11 cannot open them.
-    writer->SetDataModeToBinary();
-    writer->SetCompressorTypeToZLib();
-    writer->SetCompressionLevel(1);  // higher levels cost several times the time for a few per cent of size
-    writer->SetHeaderTypeToUInt64();
-    if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError || errors->any()) {
-      const std::string cause = writer->GetErrorCode() != vtkErrorCode::NoError
-                                    ? vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())
-                                    : errors->first();
-      throw RunError(file.string() + ": cannot be written: " + cause +
-                     "; check the folder's permissions and free space");
-    }
-  });
+void add_fact(vtkPolyData* data, const char* name, const std::string& value) { add_text(data, name, value); }
+
+void write_poly_data(const std::filesystem::path& file, vtkPolyData* data, const WholeFile& how) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  vtkNew<VtkErrors> errors;
+  writer->AddObserver(vtkCommand::ErrorEvent, errors);
+  writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  writer->SetInputData(data);
+  // To memory: on a full disk VTK 9.1 crashes while it cleans up.
+  writer->WriteToOutputStringOn();
+  // Appended raw data would be a quarter smaller, but since the expat of Debian 12.12 ParaView 5.11 cannot open them.
+  writer->SetDataModeToBinary();
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);  // higher levels cost several times the time for a few per cent of size
+  writer->SetHeaderTypeToUInt64();
+  if (writer->Write() == 0 || errors->any()) {
+    throw RunError(file.string() + ": cannot be made: " + errors->first() + "; is there enough memory?");
+  }
+  std::string contents = writer->GetOutputString();
+  contents += seal_of(contents);
+  write_whole_bytes(file, contents, how);
 }
 
 }  // namespace thalweg

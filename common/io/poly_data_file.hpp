@@ -3,21 +3,24 @@
 #include <vtkPolyData.h>
 
 #include <filesystem>
+#include <string>
 
 #include "common/particles.hpp"
+#include "common/whole_file.hpp"
 
 namespace thalweg {
 
-/// Adds a number, or a point [m] as one entry of three components, to the field data.
+/// Adds a number, a text, or a point [m] as one entry of three components, to the field data.
 void add_fact(vtkPolyData* data, const char* name, float value);
+void add_fact(vtkPolyData* data, const char* name, const std::string& value);
 void add_fact(vtkPolyData* data, const char* name, const Vec3& value);
 
 /// Adds the facts of `info` that every file of a scene has to the field data, under the names of docs/file-formats.md.
 /// The lattice node is left to particle files.
 void add_facts(vtkPolyData* data, const ParticleFileInfo& info);
 
-/// Writes VTK XML PolyData in the encoding of all our files (inline binary, zlib, 64-bit headers), whole or not at all.
-/// Throws RunError naming file and cause.
-void write_poly_data(const std::filesystem::path& file, vtkPolyData* data);
+/// Writes VTK XML PolyData in the encoding of all our files (inline binary, zlib, 64-bit headers, sealed), whole or not
+/// at all. Throws RunError naming file and cause.
+void write_poly_data(const std::filesystem::path& file, vtkPolyData* data, const WholeFile& how = {});
 
 }  // namespace thalweg

@@ -10,11 +10,10 @@
 
 #include "common/error.hpp"
 #include "common/io/vtk_errors.hpp"
-#include "common/whole_file.hpp"
 
 namespace thalweg {
 
-void write_series(const std::filesystem::path& pvd, const std::vector<SeriesEntry>& entries) {
+void write_series(const std::filesystem::path& pvd, const std::vector<SeriesEntry>& entries, const WholeFile& how) {
   vtkNew<vtkXMLDataElement> root;
   root->SetName("VTKFile");
   root->SetAttribute("type", "Collection");
@@ -30,10 +29,13 @@ void write_series(const std::filesystem::path& pvd, const std::vector<SeriesEntr
     item->SetAttribute("file", entry.file.generic_string().c_str());
     collection->AddNestedElement(item);
   }
-  write_whole_text(pvd, [&](std::ostream& stream) {
-    stream << "<?xml version=\"1.0\"?>\n";
-    root->PrintXML(stream, vtkIndent());
-  });
+  write_whole_text(
+      pvd,
+      [&](std::ostream& stream) {
+        stream << "<?xml version=\"1.0\"?>\n";
+        root->PrintXML(stream, vtkIndent());
+      },
+      how);
 }
 
 std::vector<SeriesEntry> read_series(const std::filesystem::path& pvd) {

@@ -9,11 +9,10 @@
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
 #include <vtkXMLPolyDataReader.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include "common/error.hpp"
+#include "common/io/poly_data_file.hpp"
 #include "common/io/vtk_errors.hpp"
-#include "common/whole_file.hpp"
 
 namespace thalweg {
 namespace {
@@ -76,16 +75,7 @@ void write_lines(const fs::path& file, const LineSet& lines) {
   data->SetPoints(points);
   data->SetLines(cells);
   data->GetCellData()->AddArray(numbers);
-  write_whole_file(file, [&](const fs::path& temporary) {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    vtkNew<VtkErrors> errors;
-    writer->AddObserver(vtkCommand::ErrorEvent, errors);
-    writer->SetInputData(data);
-    writer->SetFileName(temporary.c_str());
-    writer->SetDataModeToBinary();
-    if (writer->Write() == 0 || errors->any())
-      throw RunError(file.string() + ": cannot be written; check the folder's permissions and free space");
-  });
+  write_poly_data(file, data);
 }
 
 }  // namespace thalweg

@@ -2,6 +2,7 @@
 
 #include "common/command_line.hpp"
 #include "common/error.hpp"
+#include "common/signals.hpp"
 #include "solver/program/run.hpp"
 
 namespace {
@@ -17,7 +18,13 @@ int solver(int argc, char** argv) {
   app.add_option("--threads", options.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
-  app.add_option("--restart", options.restart, "Continue from this checkpoint");
+  app.add_option("--restart", options.restart,
+                 "Continue from this checkpoint; latest: from the run's last whole one, or its start if it has none");
+  app.add_option("--restart-anyway", options.restart_anyway,
+                 "Keys that may differ from those of the checkpoint's case, e.g. numerics.cfl (docs/file-formats.md)")
+      ->type_name("KEY...");
+  app.add_flag("--force", options.force,
+               "Start from particles.vtp although the folder holds results, and replace them");
   app.add_option("--until", options.until, "Stop at this physical time instead of output.end, e.g. \"0.5 s\"");
   app.add_flag("--profile", options.profile,
                "Wait for the GPU after every heading of timing.csv, so that each has its own time; slower");
@@ -33,4 +40,7 @@ int solver(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return thalweg::run_program(solver, argc, argv); }
+int main(int argc, char** argv) {
+  thalweg::catch_signals();
+  return thalweg::run_program(solver, argc, argv);
+}

@@ -3,102 +3,56 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <csignal>
-#include <ctime>
+#include <optional>
 
 #include "case/reader/case_file.hpp"
-#include "common/io/particle_file.hpp"
-#include "common/particle_checks.hpp"
-#include "common/units.hpp"
+#include "case/reader/differences.hpp"
+#include "common/io/run_results.hpp"
+#include "common/run_lock.hpp"
+#include "common/signals.hpp"
+#include "common/whole_file.hpp"
 #include "solver/program/announce.hpp"
 #include "solver/program/diagnosis.hpp"
+#include "solver/program/disk.hpp"
 #include "solver/program/progress.hpp"
+#include "solver/program/read_run.hpp"
 #include "solver/program/run_output.hpp"
 #include "solver/program/schedule.hpp"
+#include "solver/program/stopwatch.hpp"
 #include "solver/simulation/start.hpp"
 
 namespace thalweg {
 namespace {
 
-std::atomic<int> caught_signal{0};
-
-void catch_signal(int signal) { caught_signal = signal; }
-
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-double cpu_seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-Case read_resolved_case(const RunOptions& options) {
-  const RunFolder folder{options.folder};
-  if (!std::filesystem::exists(folder.resolved_case())) {
-    throw InputError(folder.resolved_case().string() +
-                     ": not there; fill the scene first: thalweg gencase CASE --out " + options.folder.string());
-  }
-  Case c = read_case(folder.resolved_case(), options.overrides);
-  if (!options.until.empty()) {
-    try {
-      c.output.end = parse_quantity(options.until, "s");
-    } catch (const std::invalid_argument& e) {
-      throw InputError("--until " + options.until + ": " + e.what());
-    }
-  }
-  return c;
-}
-
-ParticleSet read_start(const RunOptions& options, const Case& c) {
-  const auto file = options.restart.empty() ? RunFolder{options.folder}.particles() : options.restart;
-  ParticleSet particles = read_particles(file);
-  check_start(particles, file, c.info.dimension, c.numerics.spacing);
-  const std::size_t n = particles.size();
-  if (n == 0) throw InputError(file.string() + ": holds no particles; fill the scene again with gencase");
-  if (particles.density.size() != n || particles.mass.size() != n) {
-    throw InputError(file.string() + ": arrays Density and Mass are needed to start; write them, or fill with gencase");
-  }
-  if (particles.info.dimension != c.info.dimension) {
-    throw InputError(fmt::format("{}: made for {} dimensions, the case has {}; fill the scene again with gencase",
-                                 file.string(), particles.info.dimension, c.info.dimension));
-  }
-  if (std::abs(particles.info.spacing - c.numerics.spacing) > 1e-9 * c.numerics.spacing) {
-    throw InputError(fmt::format("{}: filled with a spacing of {}, the case says {}; fill the scene again with gencase",
-                                 file.string(), format_quantity(particles.info.spacing, "m"),
-                                 format_quantity(c.numerics.spacing, "m")));
-  }
-  return particles;
-}
+/// 128 and the signal, as a shell says of a program that a signal has ended.
+Exit status_of(int signal) { return static_cast<Exit>(128 + signal); }
 
 /// The run: steps, and the files that are due between them.
 class Run {
  public:
-  Run(const Case& c, const ParticleSet& start, const RunOptions& options)
-      : case_(c),
-        clock_{start.info.time, start.info.step},
-        simulation_(
-            start_simulation(c, start, {options.backend, options.instruction_set, options.threads, options.profile})),
-        output_({options.folder}, info(start), clock_, c.gauges.empty() ? std::string() : gauge_heading_line(c)),
-        snapshot_times_(snapshot_times(c)),
-        gauge_interval_(c.output.gauge_interval > 0 ? c.output.gauge_interval : c.output.end / 1000),
-        history_interval_(c.output.history_interval > 0 ? c.output.history_interval : c.output.end / 100),
-        progress_(c.output.end, clock_.time) {
+  Run(const RunStart& from, const RunOptions& options, const RunLock& lock)
+      : case_(from.scene),
+        case_text_(case_text(from.scene)),
+        clock_{from.particles.info.time, from.particles.info.step},
+        simulation_(start_simulation(from.scene, from.particles,
+                                     {options.backend, options.instruction_set, options.threads, options.profile})),
+        output_({options.folder}, lock, info(from.particles)),
+        progress_(case_.output.end, clock_.time),
+        counts_(from.counts) {
     const SimulationFacts facts = simulation_->facts();
-    spdlog::info("{}: {} particles, {} of them fluid; {}", c.info.name, facts.particles, facts.fluid_particles,
+    spdlog::info("{}: {} particles, {} of them fluid; {}", case_.info.name, facts.particles, facts.fluid_particles,
                  facts.device);
-    next_gauges_ = gauge_time_after(clock_.time);
-    counts_.excluded = output_.excluded_before();
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
-    announce_choices(c);
-    warn_of_fast_walls(c, start);
+    announce_choices(case_);
+    warn_of_fast_walls(case_, from.particles);
   }
 
   /// Takes so many steps as fast as they go, and writes no files.
   Exit benchmark(std::int64_t steps) {
-    start_clocks();
-    while (counts_.steps < steps && caught_signal == 0) {
+    since_start_ = {};
+    while (steps_now_ < steps && stop_signal() == 0) {
       const StepReport report = simulation_->advance(case_.output.end - clock_.time);
       if (report.diverged) fail(report);
       count(report);
@@ -108,23 +62,29 @@ class Run {
     return Exit::done;
   }
 
-  Exit to_the_end() {
-    start_clocks();
-    last_checkpoint_ = wall_start_;
-    std::size_t next = 0;
-    while (next < snapshot_times_.size() && snapshot_times_[next] <= clock_.time + time_resolution()) ++next;
-    if (clock_.step == 0) {
+  Exit to_the_end(bool continued) {
+    schedule_output();
+    output_.open(continued ? std::make_optional(clock_.time) : std::nullopt,
+                 case_.gauges.empty() ? std::string() : gauge_heading_line(case_));
+    since_start_ = {};
+    since_checkpoint_ = {};
+    if (clock_.step == 0 && !output_.has_snapshots()) {
       write_snapshot();
       if (!case_.gauges.empty()) read_gauges_now();
     }
-    while (next < snapshot_times_.size()) {
-      step(snapshot_times_[next] - clock_.time);
-      if (snapshot_times_[next] - clock_.time <= time_resolution()) {
-        clock_.time = snapshot_times_[next];  // landed on: without the rounding of the sum of steps
+    const std::vector<double> times = snapshot_times(case_);
+    std::size_t next = 0;
+    while (next < times.size() && times[next] <= clock_.time + time_resolution()) ++next;
+    while (next < times.size()) {
+      step(times[next] - clock_.time);
+      if (times[next] - clock_.time <= time_resolution()) {
+        clock_.time = times[next];  // landed on: without the rounding of the sum of steps
         write_snapshot();
         ++next;
       }
-      if (caught_signal != 0) return stop_early();
+      // After the snapshot of the same step, which a continued run takes as written.
+      if (take_write_request() || since_checkpoint_.wall() > case_.output.checkpoint_interval) write_checkpoint();
+      if (stop_signal() != 0) return stop_early();
     }
     const auto last = simulation_->take_excluded();
     if (!last.empty()) exclude(last);
@@ -141,6 +101,13 @@ class Run {
   static constexpr double gauge_rounding = 1e-6;
   [[nodiscard]] double gauge_time_after(double time) const {
     return (std::floor(time / gauge_interval_ + gauge_rounding) + 1) * gauge_interval_;
+  }
+
+  void schedule_output() {
+    const Output& output = case_.output;
+    gauge_interval_ = output.gauge_interval > 0 ? output.gauge_interval : output.end / 1000;
+    history_interval_ = output.history_interval > 0 ? output.history_interval : output.end / 100;
+    next_gauges_ = gauge_time_after(clock_.time);
   }
 
   ParticleFileInfo info(const ParticleSet& start) const {
@@ -170,7 +137,6 @@ class Run {
         read_gauges_now();
         next_gauges_ = gauge_time_after(clock_.time);
       }
-      if (seconds_now() - last_checkpoint_ > case_.output.checkpoint_interval) write_checkpoint();
       progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
     });
   }
@@ -179,6 +145,7 @@ class Run {
     clock_.time += report.dt;
     ++clock_.step;
     ++counts_.steps;
+    ++steps_now_;
     counts_.particle_steps += static_cast<double>(initial_fluid_ - counts_.excluded);
     counts_.viscous_iterations += report.viscous.iterations;
     counts_.pressure_sweeps += report.pressure_sweeps;
@@ -223,8 +190,8 @@ class Run {
   }
 
   void write_checkpoint() {
-    output_.checkpoint(*simulation_, clock_);
-    last_checkpoint_ = seconds_now();
+    simulation_->timing().time("output", [&] { output_.checkpoint(*simulation_, clock_, case_text_, counts_now()); });
+    since_checkpoint_ = {};
   }
 
   void exclude(const std::vector<ExcludedParticle>& particles) {
@@ -257,21 +224,19 @@ class Run {
 
   void finish() {
     progress_.clear();
-    count_seconds();
-    output_.finish(*simulation_, clock_, counts_);
+    const RunCounts counts = counts_now();
+    output_.finish(*simulation_, clock_, counts, steps_now_);
     spdlog::info("t = {:.6g} s after {} steps, {:.1f} s, {:.3g} M particle-steps/s{}", clock_.time, clock_.step,
-                 counts_.wall_seconds, counts_.particle_steps / std::max(1e-9, counts_.wall_seconds) * 1e-6,
+                 counts.wall_seconds, counts.particle_steps / std::max(1e-9, counts.wall_seconds) * 1e-6,
                  counts_.excluded > 0 ? fmt::format(", {} particles excluded", counts_.excluded) : "");
   }
 
-  void start_clocks() {
-    wall_start_ = seconds_now();
-    cpu_start_ = cpu_seconds_now();
-  }
-
-  void count_seconds() {
-    counts_.wall_seconds = seconds_now() - wall_start_;
-    counts_.cpu_seconds = cpu_seconds_now() - cpu_start_;
+  /// The counts with the seconds since the start of this part of the run.
+  [[nodiscard]] RunCounts counts_now() const {
+    RunCounts counts = counts_;
+    counts.wall_seconds += since_start_.wall();
+    counts.cpu_seconds += since_start_.cpu();
+    return counts;
   }
 
   Exit stop_early() {
@@ -279,47 +244,54 @@ class Run {
     if (!last.empty()) exclude(last);
     write_checkpoint();
     finish();
-    const int signal = caught_signal;
-    spdlog::warn("stopped by {}; continue with: thalweg solver {} --restart {}",
-                 signal == SIGINT ? "Ctrl-C" : "SIGTERM", output_.folder().root.string(),
-                 output_.folder().checkpoint().string());
-    return signal == SIGINT ? Exit::interrupted : Exit::terminated;
+    const int signal = stop_signal();
+    spdlog::warn("stopped by {}; continue with: thalweg solver {} --restart latest", signal_name(signal),
+                 output_.folder().root.string());
+    return status_of(signal);
   }
 
   Case case_;
+  std::string case_text_;
   RunClock clock_;
   std::unique_ptr<Simulation> simulation_;
   RunOutput output_;
-  std::vector<double> snapshot_times_;
-  double gauge_interval_;
-  double history_interval_;
+  double gauge_interval_ = 0;
+  double history_interval_ = 0;
   Progress progress_;
   RunCounts counts_;
+  std::int64_t steps_now_ = 0;  // since the last restart
   std::int64_t initial_fluid_ = 0;
   bool told_of_cap_ = false;
   bool told_of_gauges_ = false;
   bool told_of_sweeps_ = false;
   double next_history_ = 0;
   double next_gauges_ = 0;
-  double wall_start_ = 0;
-  double cpu_start_ = 0;
-  double last_checkpoint_ = 0;
+  Stopwatch since_start_;
+  Stopwatch since_checkpoint_;
 };
 
 }  // namespace
 
 Exit run_solver(const RunOptions& options) {
-  const Case c = read_resolved_case(options);
-  const ParticleSet start = read_start(options, c);
-  if (start.info.time >= c.output.end) {
-    throw InputError(
-        fmt::format("the checkpoint is at t = {:.6g} s and the run ends at {:.6g} s; give a later end with --until",
-                    start.info.time, c.output.end));
+  const RunFolder folder{options.folder};
+  require_filled(folder);
+  const RunLock lock(options.folder, "thalweg-solver");
+  const RunStart start = read_run(options);
+  const bool fresh = options.benchmark == 0 && !start.continued;
+  if (fresh && !options.force && options.restart.empty()) {
+    refuse_to_replace(folder, "continue it with --restart latest, or replace it with --force");
   }
-  std::signal(SIGINT, catch_signal);
-  std::signal(SIGTERM, catch_signal);
-  Run run(c, start, options);
-  return options.benchmark > 0 ? run.benchmark(options.benchmark) : run.to_the_end();
+  if (options.benchmark == 0) check_disk(start.scene, folder, start.particles);
+  Run run(start, options, lock);
+  if (options.benchmark > 0) return run.benchmark(options.benchmark);
+  if (stop_signal() != 0) {
+    spdlog::warn("stopped by {} before the first step; {} is as it was", signal_name(stop_signal()),
+                 options.folder.string());
+    return status_of(stop_signal());
+  }
+  remove_dead_parts(options.folder);
+  if (fresh) remove_results(folder);
+  return run.to_the_end(start.continued);
 }
 
 }  // namespace thalweg

@@ -17,13 +17,15 @@ struct RunOptions {
   int threads = 0;                // 0: all cores
   bool profile = false;           // wait for the device after every heading of the timing
   std::int64_t benchmark = 0;     // so many steps, of which only summary and timing are written; 0: the run
-  std::filesystem::path restart;  // empty: from particles.vtp
-  std::string until;              // with unit; empty: output.end
+  std::filesystem::path restart;  // a checkpoint, or "latest"; empty: from particles.vtp
+  std::vector<std::string> restart_anyway = {};  // keys that may differ from the checkpoint's (restart_check.hpp)
+  bool force = false;                            // replaces the results that the folder holds
+  std::string until;                             // with unit; empty: output.end
   std::vector<std::string> overrides;
 };
 
 /// Runs the scene of a run folder to its end, writing history, snapshots and checkpoints on the way
-/// (docs/file-formats.md). Returns Exit::done, or interrupted / terminated after a signal, with a checkpoint written.
+/// (docs/file-formats.md). Returns Exit::done, or 128 + n after signal n, with a checkpoint written.
 /// Throws InputError, RunError; whatever was written before stays whole.
 Exit run_solver(const RunOptions& options);
 

@@ -4,11 +4,14 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
+#include <string>
 
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
+#include "common/io/run_results.hpp"
 #include "common/whole_file.hpp"
+#include "solver/program/checkpoint_file.hpp"
 
 namespace thalweg {
 namespace {
@@ -21,60 +24,38 @@ constexpr const char* history_header =
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
-/// Rewrites a table of ours whose first column is time, with the rows up to `keep_until` of what stands there under the
-/// same heading, and opens it for more; `rows` is how many.
-std::ofstream reopen_table(const std::filesystem::path& file, const std::string& header, double keep_until,
-                           std::int64_t& rows) {
-  std::vector<std::string> kept;
-  if (keep_until > 0) {
-    std::ifstream old(file);
-    std::string line;
-    std::getline(old, line);
-    const bool same = line == header;
-    while (same && std::getline(old, line)) {
-      char* end = nullptr;
-      const double time = std::strtod(line.c_str(), &end);
-      if (end != line.c_str() && time <= keep_until) kept.push_back(line);
-    }
-  }
-  write_whole_text(file, [&](std::ostream& to) {
-    to << header << '\n';
-    for (const std::string& row : kept) to << row << '\n';
-  });
-  rows = static_cast<std::int64_t>(kept.size());
-  std::ofstream table(file, std::ios::app);
-  if (!table) throw RunError(file.string() + ": cannot be written; check permissions and free space");
-  return table;
-}
-
-void flush_row(std::ofstream& table, const std::filesystem::path& file) {
-  table.flush();
-  if (!table) throw RunError(file.string() + ": cannot be written any more; is the disk full?");
+/// The number in the name of a snapshot, "s00012.vtp"; -1 for other names.
+int number_of_snapshot(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  int number = -1;
+  if (stem.size() > 1) std::from_chars(stem.data() + 1, stem.data() + stem.size(), number);
+  return number;
 }
 
 }  // namespace
 
-RunOutput::RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& start, const std::string& gauge_heading)
-    : folder_(std::move(folder)), info_(std::move(info)) {
-  std::error_code ignored;
-  std::filesystem::create_directories(folder_.snapshots(), ignored);
-  if (start.time > 0 && std::filesystem::exists(folder_.snapshot_series())) {
-    series_ = read_series(folder_.snapshot_series());
-    std::erase_if(series_, [&](const SeriesEntry& e) { return e.time > start.time; });
-  } else {
-    std::filesystem::remove(folder_.snapshot_series(), ignored);
-    for (const auto& old : std::filesystem::directory_iterator(folder_.snapshots(), ignored)) {
-      if (old.path().extension() == ".vtp") std::filesystem::remove(old.path(), ignored);
+void RunOutput::open(std::optional<double> continued_at, const std::string& gauge_heading) {
+  continued_at_ = continued_at;
+  std::error_code failure;
+  std::filesystem::create_directories(folder_.snapshots(), failure);
+  if (failure) throw RunError(folder_.snapshots().string() + ": cannot be made: " + failure.message());
+  if (continued_at) {
+    series_ = snapshots_until(folder_, *continued_at);
+    for (const SeriesEntry& entry : series_) {
+      next_snapshot_ = std::max(next_snapshot_, number_of_snapshot(entry.file) + 1);
     }
+    if (!series_.empty()) write_series(folder_.snapshot_series(), series_, {.make_folders = false});
   }
-  std::int64_t history_rows = 0;
-  history_ = reopen_table(folder_.history(), history_header, start.time, history_rows);
-  excluded_ = reopen_table(folder_.excluded(), excluded_header, start.time, excluded_before_);
-  if (gauge_heading.empty()) {
-    std::filesystem::remove(folder_.gauges(), ignored);
-  } else {
-    std::int64_t gauge_rows = 0;
-    gauges_ = reopen_table(folder_.gauges(), gauge_heading, start.time, gauge_rows);
+  history_.emplace(folder_.history(), history_header, continued_at);
+  if (!gauge_heading.empty()) gauges_.emplace(folder_.gauges(), gauge_heading, continued_at);
+  if (continued_at && std::filesystem::exists(folder_.excluded())) {
+    excluded_.emplace(folder_.excluded(), excluded_header, continued_at);
+  }
+}
+
+void RunOutput::sync_series_tables() const {
+  for (const auto* table : {&history_, &gauges_}) {
+    if (*table) (*table)->sync();
   }
 }
 
@@ -87,66 +68,78 @@ ParticleFileInfo RunOutput::info_at(const RunClock& clock) const {
 
 void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
   writing_.wait();
-  const std::filesystem::path name = folder_.snapshots().filename() / fmt::format("s{:05}.vtp", series_.size());
+  const std::filesystem::path name = folder_.snapshots().filename() / fmt::format("s{:05}.vtp", next_snapshot_++);
   series_.push_back({clock.time, name});
-  writing_.start([take = simulation.begin_snapshot(), info = info_at(clock), file = folder_.root / name,
-                  all = folder_.snapshot_series(), series = series_] {
-    ParticleSet particles = take();
-    particles.info = info;
-    write_particles(file, particles, PositionPrecision::single_precision);
-    write_series(all, series);
-  });
+  writing_.start(
+      [this, take = simulation.begin_snapshot(), info = info_at(clock), file = folder_.root / name, series = series_] {
+        ParticleSet particles = take();
+        particles.info = info;
+        lock_.require_folder();
+        write_particles(file, particles, PositionPrecision::single_precision, {}, {.make_folders = false});
+        write_series(folder_.snapshot_series(), series, {.make_folders = false});
+        sync_series_tables();
+      });
 }
 
 void RunOutput::history(const Totals& t, const MassLedger& ledger, const StepReport& report, const RunClock& clock,
                         const RunCounts& counts) {
   const double of_sediment = static_cast<double>(std::max<std::int64_t>(1, t.sediment));
   const auto share = [&](std::int64_t n) { return static_cast<double>(n) / of_sediment; };
-  fmt::print(history_, "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g},{},{},{},",
-             clock.time, clock.step, report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy,
-             t.internal_energy, t.water_mass, t.sediment_mass, counts.excluded, report.largest_speed,
-             report.viscous.iterations, report.viscous.residual, counts.viscous_retries, report.viscous.capped,
-             report.pressure_sweeps);
-  fmt::print(history_, "{:.4g},{:.4g},{:.4g},{:.9g},{:.9g},{:.9g}\n", share(t.resting), share(t.bed_load),
-             share(t.suspended), ledger.in, ledger.out, ledger.lost);
-  flush_row(history_, folder_.history());
+  std::string row = fmt::format(
+      "{:.9g},{},{:.6g},{},{:.9g},{:.9g},{:.9g},{:.12g},{:.12g},{},{:.6g},{},{:.3g},{},{},{},", clock.time, clock.step,
+      report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy, t.internal_energy, t.water_mass,
+      t.sediment_mass, counts.excluded, report.largest_speed, report.viscous.iterations, report.viscous.residual,
+      counts.viscous_retries, report.viscous.capped, report.pressure_sweeps);
+  row += fmt::format("{:.4g},{:.4g},{:.4g},{:.9g},{:.9g},{:.9g}", share(t.resting), share(t.bed_load),
+                     share(t.suspended), ledger.in, ledger.out, ledger.lost);
+  lock_.require_folder();
+  history_->add(row);
 }
 
 GaugeRow RunOutput::gauges(Simulation& simulation, const Case& of, const RunClock& clock) {
   ParticleSet particles = simulation.snapshot_within(gauge_regions(of, info_));
   particles.info = info_at(clock);
   GaugeRow row = read_gauges(of, particles);
-  gauges_ << gauge_line(clock.time, row) << '\n';
-  flush_row(gauges_, folder_.gauges());
+  gauges_->add(gauge_line(clock.time, row));
   return row;
 }
 
-void RunOutput::checkpoint(Simulation& simulation, const RunClock& clock) {
-  ParticleSet particles = simulation.full_state();
+void RunOutput::checkpoint(Simulation& simulation, const RunClock& clock, const std::string& case_text,
+                           const RunCounts& counts) {
+  Checkpoint checkpoint{simulation.full_state(), case_text, counts};
   writing_.wait();
-  particles.info = info_at(clock);
-  write_particles(folder_.checkpoint(), particles, PositionPrecision::double_precision);
+  lock_.require_folder();
+  sync_series_tables();
+  if (excluded_) excluded_->sync();
+  checkpoint.particles.info = info_at(clock);
+  write_checkpoint(folder_, checkpoint);
 }
 
 void RunOutput::exclude(const std::vector<ExcludedParticle>& particles, const RunClock& clock) {
+  if (particles.empty()) return;
+  if (!excluded_) excluded_.emplace(folder_.excluded(), excluded_header, continued_at_);
   for (const ExcludedParticle& p : particles) {
-    fmt::print(excluded_, "{:.9g},{},{},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g}\n", clock.time, p.id, p.type,
-               p.position.x[0], p.position.x[1], p.position.x[2], p.velocity[0], p.velocity[1], p.velocity[2]);
+    excluded_->add(fmt::format("{:.9g},{},{},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g}", clock.time, p.id, p.type,
+                               p.position.x[0], p.position.x[1], p.position.x[2], p.velocity[0], p.velocity[1],
+                               p.velocity[2]));
   }
-  if (!particles.empty()) flush_row(excluded_, folder_.excluded());
 }
 
 std::filesystem::path RunOutput::write_diverged(Simulation& simulation, const RunClock& clock) {
   ParticleSet particles = simulation.snapshot();
   particles.info = info_at(clock);
-  const auto file = folder_.root / "diverged.vtp";
+  const auto file = folder_.diverged();
   writing_.wait();
-  write_particles(file, particles, PositionPrecision::single_precision);
+  lock_.require_folder();
+  write_particles(file, particles, PositionPrecision::single_precision, {}, {.make_folders = false});
   return file;
 }
 
-void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunCounts& counts) {
+void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunCounts& counts, std::int64_t steps_now) {
   writing_.wait();
+  lock_.require_folder();
+  sync_series_tables();
+  if (excluded_) excluded_->sync();
   double total = 0;
   for (const auto& entry : simulation.timing().entries()) total += entry.seconds;
   write_whole_text(folder_.timing(), [&](std::ostream& to) {
@@ -174,7 +167,8 @@ void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunC
     row("excluded", counts.excluded, "-");
     row("physical_time", clock.time, "s");
     row("steps", clock.step, "-");
-    row("steps_since_restart", counts.steps, "-");
+    row("steps_since_restart", steps_now, "-");
+    row("restarts", counts.restarts, "-");
     row("wall_seconds", fmt::format("{:.3f}", counts.wall_seconds), "s");
     row("cpu_seconds", fmt::format("{:.3f}", counts.cpu_seconds), "s");
     row("particle_steps_per_second", fmt::format("{:.0f}", counts.particle_steps / std::max(1e-9, counts.wall_seconds)),

@@ -1,71 +1,67 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/extraction/gauges.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
+#include "common/run_lock.hpp"
 #include "solver/program/background_task.hpp"
+#include "solver/program/run_counts.hpp"
+#include "solver/program/run_table.hpp"
 #include "solver/simulation/simulation.hpp"
 
 namespace thalweg {
 
-/// Time and step that a run has reached.
-struct RunClock {
-  double time = 0;  // [s]
-  std::int64_t step = 0;
-};
-
-/// Counts of the run loop, for history and summary.
-struct RunCounts {
-  std::int64_t excluded = 0;
-  std::int64_t viscous_iterations = 0;
-  std::int64_t viscous_retries = 0;
-  std::int64_t pressure_sweeps = 0;
-  double wall_seconds = 0;
-  double cpu_seconds = 0;
-  double particle_steps = 0;  // fluid particles times steps
-  std::int64_t steps = 0;     // of this run, without what came before a restart
-};
-
-/// Writes everything a run leaves in its folder; each file is whole at any moment. Particles are taken aside
-/// for a snapshot at once, and made into a file while the run goes on; the next file that is written from particles
-/// waits for it.
+/// Writes everything a run leaves in its folder; each file is whole at any moment, and on the disk before a later file
+/// that builds on it. Particles are taken aside for a snapshot at once, and made into a file while the run goes on; the
+/// next file that is written from particles waits for it.
 class RunOutput {
  public:
-  /// `start` tells a fresh run (time 0: older results are replaced) from a continued one (rows and snapshots up to that
-  /// time are kept). `gauge_heading` is the heading of gauges.csv; without one there is no such file.
-  RunOutput(RunFolder folder, ParticleFileInfo info, const RunClock& start, const std::string& gauge_heading = {});
+  /// `lock` tells when the folder is gone.
+  RunOutput(RunFolder folder, const RunLock& lock, ParticleFileInfo info)
+      : folder_(std::move(folder)), lock_(lock), info_(std::move(info)) {}
+
+  /// Opens the tables and the series; a benchmark does not. `continued_at` [s]: rows and snapshots up to that time are
+  /// kept; without it the folder holds no results. `gauge_heading` is the heading of gauges.csv; without one there is no
+  /// such file.
+  void open(std::optional<double> continued_at, const std::string& gauge_heading);
 
   void snapshot(Simulation& simulation, const RunClock& clock);
   void history(const Totals& totals, const MassLedger& ledger, const StepReport& report, const RunClock& clock,
                const RunCounts& counts);
   /// Reads the case's gauges off the particles as they are; returns the row as written.
   GaugeRow gauges(Simulation& simulation, const Case& of, const RunClock& clock);
-  void checkpoint(Simulation& simulation, const RunClock& clock);
+  /// Rows and snapshots up to now are on the disk before the checkpoint that continues them.
+  void checkpoint(Simulation& simulation, const RunClock& clock, const std::string& case_text, const RunCounts& counts);
   void exclude(const std::vector<ExcludedParticle>& particles, const RunClock& clock);
-  void finish(Simulation& simulation, const RunClock& clock, const RunCounts& counts);
+  /// `steps_now`: those since the last restart.
+  void finish(Simulation& simulation, const RunClock& clock, const RunCounts& counts, std::int64_t steps_now);
 
   /// Writes all particles as they are to `name` in the run folder, for looking at what went wrong; returns the path.
   std::filesystem::path write_diverged(Simulation& simulation, const RunClock& clock);
 
   [[nodiscard]] const RunFolder& folder() const { return folder_; }
-  /// Particles that a run continued here had already lost.
-  [[nodiscard]] std::int64_t excluded_before() const { return excluded_before_; }
+  [[nodiscard]] bool has_snapshots() const { return !series_.empty(); }
 
  private:
   [[nodiscard]] ParticleFileInfo info_at(const RunClock& clock) const;
+  /// Of all tables but excluded.csv, in any thread.
+  void sync_series_tables() const;
 
   RunFolder folder_;
+  const RunLock& lock_;
   ParticleFileInfo info_;
   std::vector<SeriesEntry> series_;
-  std::ofstream history_;
-  std::ofstream excluded_;
-  std::ofstream gauges_;
-  std::int64_t excluded_before_ = 0;
+  int next_snapshot_ = 0;  // number in its name
+  std::optional<double> continued_at_;
+  std::optional<RunTable> history_;   // none in a benchmark
+  std::optional<RunTable> excluded_;  // none before the first particle is excluded
+  std::optional<RunTable> gauges_;
   BackgroundTask writing_;
 };
 

@@ -28,7 +28,8 @@ float kind_of(const Scene<Dim>& scene, const ParticleSet& from, std::size_t i) {
   }
   const auto kinds = from.scalars.find(checkpoint_array::kind);
   const float known = kinds == from.scalars.end() ? kind::deposit : kinds->second[i];
-  return known == kind::resting && !scene.may_rest ? kind::deposit : known;
+  if (known == kind::resting) return scene.may_rest ? known : kind::deposit;
+  return scene.has_states ? known : kind::deposit;  // a state that no model keeps would be read out of bounds
 }
 
 /// A particle as it starts or goes on; walls have the volume of a spacing.
@@ -55,6 +56,13 @@ Record record_of(const Scene<Dim>& scene, const ParticleSet& from, std::size_t i
   return r;
 }
 
+/// Refuses an array that is too short or too long.
+inline void check_size(const std::string& name, std::size_t numbers, std::size_t needed) {
+  if (numbers == needed) return;
+  throw InputError("the checkpoint's array " + name + " has " + std::to_string(numbers) + " numbers and needs " +
+                   std::to_string(needed) + "; it is from another version: start again from particles.vtp");
+}
+
 /// Visitor of particle arrays: gives each its n entries, from a checkpoint that has them or newborn.
 template <class Device>
 struct LoadArrays : ArraysOnly {
@@ -76,16 +84,13 @@ struct LoadArrays : ArraysOnly {
   void read(const Field& field, HostBuffer<T>& entries) const {
     if constexpr (std::is_same_v<T, float>) {
       const auto found = from.scalars.find(field.name);
-      if (found != from.scalars.end()) entries.assign(found->second.begin(), found->second.end());
+      if (found == from.scalars.end()) return;
+      check_size(field.name, found->second.size(), entries.size());
+      entries.assign(found->second.begin(), found->second.end());
     } else {
       const auto found = from.doubles.find(field.name);
       if (found == from.doubles.end()) return;
-      if (found->second.size() != entries.size() * numbers_in<T>()) {
-        throw InputError(std::string("the checkpoint's array ") + field.name + " has " +
-                         std::to_string(found->second.size()) + " numbers and needs " +
-                         std::to_string(entries.size() * numbers_in<T>()) +
-                         "; it is from another version: start again from particles.vtp");
-      }
+      check_size(field.name, found->second.size(), entries.size() * numbers_in<T>());
       for (std::size_t i = 0; i < entries.size(); ++i) {
         decode(found->second.data() + i * numbers_in<T>(), entries[i]);
       }
@@ -161,6 +166,7 @@ void swap_places(Device& on, Particles<Device>& p) {
 template <int Dim, class Device>
 void restore_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<double>& listed) {
   HostBuffer<Place> places(p.count);
+  check_size(checkpoint_array::listed_at, listed.size(), 3 * places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) places[i].c[c] = static_cast<std::int32_t>(listed[3 * i + c]);
   }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "case/reader/case_file.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
@@ -101,6 +102,28 @@ TEST_F(Umbrella, StartsNothingWhenTheCaseIsWrongOrAStageIsAbsent) {
   fs::remove(folder / "bin/thalweg-postproc");
   EXPECT_EQ(thalweg("run case.toml"), 2);
   EXPECT_EQ(calls(), "");
+}
+
+TEST_F(Umbrella, AsksBeforeItReplacesARun) {
+  const RunFolder run{folder / "out" / "flume"};
+  write_series(run.snapshot_series(), {{0, "snapshots/s00000.vtp"}, {0.25, "snapshots/s00001.vtp"}});
+  EXPECT_EQ(thalweg("run case.toml"), 2);
+  EXPECT_THAT(errors(), HasSubstr("holds a run up to t = 0.25 s; continue it with --resume, replace it with --force"));
+  EXPECT_EQ(calls(), "");
+  EXPECT_EQ(thalweg("run case.toml --force"), 0);
+  EXPECT_EQ(calls(),
+            "gencase case.toml --out out/flume --force\nsolver out/flume --force\npostproc out/flume --report\n");
+}
+
+TEST_F(Umbrella, ResumesWhatIsNotDone) {
+  const RunFolder run{folder / "out" / "flume"};
+  write_series(run.snapshot_series(), {{0.25, "snapshots/s00001.vtp"}});
+  write_case(run.resolved_case(), read_case(folder / "case.toml"));
+  std::ofstream(run.particles()) << "filled";
+  EXPECT_EQ(thalweg("run case.toml --resume"), 0);
+  EXPECT_EQ(calls(), "solver out/flume --restart latest\npostproc out/flume --report\n");
+  EXPECT_EQ(thalweg("run case.toml --resume --set numerics.cfl=0.3"), 2);
+  EXPECT_THAT(errors(), HasSubstr("filled from another case: numerics.cfl 0.5 -> 0.3; give the same case"));
 }
 
 TEST_F(Umbrella, FindsTheProgramsByName) {

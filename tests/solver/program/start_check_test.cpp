@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
-#include "common/particle_checks.hpp"
+#include "solver/program/start_check.hpp"
 
 namespace thalweg {
 namespace {
@@ -26,8 +26,11 @@ ParticleSet start() {
 }
 
 std::string answer(const ParticleSet& set) {
+  Case scene;
+  scene.info.dimension = 2;
+  scene.numerics.spacing = 0.01;
   try {
-    check_start(set, "p.vtp", 2, 0.01);
+    check_start(set, "p.vtp", scene);
   } catch (const InputError& error) {
     EXPECT_LE(std::string(error.what()).size(), 300U);
     return error.what();
@@ -35,9 +38,9 @@ std::string answer(const ParticleSet& set) {
   return "accepted";
 }
 
-TEST(ParticleChecks, AcceptWhatCanStart) { EXPECT_EQ(answer(start()), "accepted"); }
+TEST(StartCheck, AcceptWhatCanStart) { EXPECT_EQ(answer(start()), "accepted"); }
 
-TEST(ParticleChecks, NameWhatIsMissing) {
+TEST(StartCheck, NameWhatIsMissing) {
   ParticleSet set = start();
   set.mass.clear();
   EXPECT_THAT(answer(set), HasSubstr("arrays Density and Mass are needed"));
@@ -51,21 +54,20 @@ TEST(ParticleChecks, NameWhatIsMissing) {
   EXPECT_THAT(answer(set), HasSubstr("filled with a spacing of 2 cm, the case says 1 cm"));
 }
 
-TEST(ParticleChecks, RefuseWhatCannotBe) {
+TEST(StartCheck, RefuseWhatCannotBe) {
   const auto spoiled = [](auto&& spoil) {
     ParticleSet set = start();
     spoil(set);
     return answer(set);
   };
-  EXPECT_THAT(spoiled([](ParticleSet& s) { s.id[2] = 1; }), HasSubstr("two particles have the Id 1"));
+  EXPECT_THAT(spoiled([](ParticleSet& s) { s.id[2] = 1; }), HasSubstr("two particles have the id 1"));
   EXPECT_THAT(spoiled([](ParticleSet& s) { s.position[2] = s.position[1]; }),
-              HasSubstr("1 fluid particles stand in the place of another"));
-  EXPECT_THAT(spoiled([](ParticleSet& s) { s.type.assign(4, ParticleType::wall); }), HasSubstr("holds no water"));
-  EXPECT_THAT(spoiled([](ParticleSet& s) { s.info.time = -1; }), HasSubstr("its time of -1 s"));
+              HasSubstr("it lies in the place of particle 1"));
+  EXPECT_THAT(spoiled([](ParticleSet& s) { s.type.assign(4, ParticleType::wall); }), HasSubstr("holds walls only"));
+  EXPECT_THAT(spoiled([](ParticleSet& s) { s.info.time = -1; }), HasSubstr("its time is -1 s"));
   EXPECT_THAT(spoiled([](ParticleSet& s) { s.info.step = -3; }), HasSubstr("its step -3"));
-  EXPECT_THAT(spoiled([](ParticleSet& s) { s.density[3] = std::nanf(""); }),
-              HasSubstr("particle 3 has the density nan"));
-  EXPECT_THAT(spoiled([](ParticleSet& s) { s.mass[1] = 0; }), HasSubstr("particle 1 has the density 1000"));
+  EXPECT_THAT(spoiled([](ParticleSet& s) { s.density[3] = std::nanf(""); }), HasSubstr("its density is nan"));
+  EXPECT_THAT(spoiled([](ParticleSet& s) { s.mass[1] = 0; }), HasSubstr("its mass is 0 kg"));
   EXPECT_THAT(spoiled([](ParticleSet& s) {
                 for (Vec3& p : s.position) std::swap(p.y(), p.z());
               }),

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/particles.hpp"
+#include "common/run_folder.hpp"
+#include "solver/program/run_counts.hpp"
+
+namespace thalweg {
+
+/// A checkpoint: the particles with all that a restart needs, the case they belong to (case_text()), and what the run
+/// has cost so far.
+struct Checkpoint {
+  ParticleSet particles;
+  std::string case_text;
+  RunCounts counts;
+};
+
+/// Writes the run's checkpoint, whole or not at all; the one before the last gives way to the last. Throws RunError.
+void write_checkpoint(const RunFolder& run, const Checkpoint& checkpoint);
+
+/// Throws InputError for a file that is no checkpoint, is damaged, or lacks an array or particles it was written with.
+Checkpoint read_checkpoint(const std::filesystem::path& file);
+
+}  // namespace thalweg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "common/particles.hpp"
+#include "common/run_folder.hpp"
+#include "solver/program/run.hpp"
+#include "solver/program/run_counts.hpp"
+
+namespace thalweg {
+
+/// The start of a run: the scene as gencase has filled it, or a checkpoint of it.
+struct RunStart {
+  Case scene;
+  ParticleSet particles;
+  RunCounts counts{};
+  bool continued = false;
+};
+
+/// Throws InputError if gencase has not filled the folder.
+void require_filled(const RunFolder& run);
+
+/// Reads the case and the particles of a run. Throws InputError for what cannot be a start (start_check.hpp), and for a
+/// checkpoint of another case (restart_check.hpp). In a benchmark, which keeps no results, any case may go on from a
+/// checkpoint.
+RunStart read_run(const RunOptions& options);
+
+}  // namespace thalweg

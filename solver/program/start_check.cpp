@@ -1,0 +1,156 @@
+#include "solver/program/start_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+namespace thalweg {
+namespace {
+
+/// Rejects a file in one way of speaking.
+class Checker {
+ public:
+  Checker(const ParticleSet& particles, const std::filesystem::path& file) : p_(particles), file_(file) {}
+
+  void facts(const Case& scene) const {
+    const ParticleFileInfo& info = p_.info;
+    if (info.dimension != scene.info.dimension) {
+      reject(fmt::format("made for {} dimensions, the case has {}", info.dimension, scene.info.dimension), refill);
+    }
+    if (!(info.spacing > 0)) {
+      reject("the fact Spacing is missing in the field data, or is no length",
+             fmt::format("write Spacing = {:g} [m] into the field data, or fill the scene with gencase",
+                         scene.numerics.spacing));
+    }
+    if (!(std::abs(info.spacing - scene.numerics.spacing) <= 1e-9 * scene.numerics.spacing)) {
+      reject(fmt::format("filled with a spacing of {}, the case says {}", format_quantity(info.spacing, "m"),
+                         format_quantity(scene.numerics.spacing, "m")),
+             refill);
+    }
+    if (!(info.time >= 0) || !std::isfinite(info.time) || info.step < 0) {
+      reject(fmt::format("its time is {} s and its step {}; both count from 0", info.time, info.step), refill);
+    }
+    if (info.time > 0 && info.step == 0) reject(fmt::format("at t = {} s no step has been taken", info.time), refill);
+  }
+
+  void sizes(const Case& scene) const {
+    const std::size_t n = p_.size();
+    if (n == 0) reject("holds no particles", refill);
+    if (p_.density.size() != n || p_.mass.size() != n) {
+      reject("arrays Density and Mass are needed to start", "write them, or fill the scene with gencase");
+    }
+    if (std::none_of(p_.type.begin(), p_.type.end(), is_fluid)) {
+      reject("holds walls only, neither water nor sediment", "give a shape with the role of a fluid");
+    }
+    if (!scene.motions.empty()) motions(scene.motions.size());
+  }
+
+  void numbers() const {
+    for (std::size_t i = 0; i < p_.size(); ++i) {
+      if (!p_.velocity.empty() && !p_.velocity[i].allFinite()) reject_particle(i, "its velocity is no number");
+      if (!is_fluid(p_.type[i])) continue;
+      if (!is_positive(p_.mass[i])) reject_particle(i, fmt::format("its mass is {} kg", p_.mass[i]));
+      if (!is_positive(p_.density[i])) reject_particle(i, fmt::format("its density is {} kg/m^3", p_.density[i]));
+    }
+  }
+
+  void ids() const {
+    const auto order = sorted([&](std::size_t a, std::size_t b) { return p_.id[a] < p_.id[b]; });
+    if (p_.id[order.front()] < 0)
+      reject(fmt::format("a particle has the id {}", p_.id[order.front()]), "number from 0");
+    const auto twin = std::adjacent_find(order.begin(), order.end(),
+                                         [&](std::size_t a, std::size_t b) { return p_.id[a] == p_.id[b]; });
+    if (twin != order.end()) reject(fmt::format("two particles have the id {}", p_.id[*twin]), "give each its own");
+  }
+
+  /// A plane scene lies in the plane of x and z.
+  void plane() const {
+    const auto extent = [&](int axis) {
+      const auto [low, high] = std::minmax_element(p_.position.begin(), p_.position.end(),
+                                                   [&](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
+      return (*high)[axis] - (*low)[axis];
+    };
+    if (!(extent(1) > 0)) return;
+    if (p_.size() > 1 && extent(2) == 0) {
+      reject("all points have one z, and a 2-D scene lies in the plane of x and z", "write heights as z, and y = 0");
+    }
+    reject("the points of a 2-D scene have several y", "write y = 0 for all of them");
+  }
+
+  /// Two particles in one place have no direction between them, and push nothing apart. In a mixture grains and pore
+  /// water share places.
+  void places(bool mixed) const {
+    const auto less = [&](std::size_t a, std::size_t b) {
+      return std::lexicographical_compare(p_.position[a].begin(), p_.position[a].end(), p_.position[b].begin(),
+                                          p_.position[b].end());
+    };
+    const auto order = sorted(less);
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      if (p_.position[order[i]] != p_.position[order[i - 1]]) continue;
+      const ParticleType type = p_.type[order[i]];
+      const ParticleType other = p_.type[order[i - 1]];
+      if (!is_fluid(type) && !is_fluid(other)) continue;
+      if (mixed && type != other) continue;
+      reject_particle(order[i], fmt::format("it lies in the place of particle {}", p_.id[order[i - 1]]));
+    }
+  }
+
+ private:
+  static constexpr const char* refill = "fill the scene again with gencase";
+
+  static bool is_fluid(ParticleType type) { return type == ParticleType::water || type == ParticleType::sediment; }
+  static bool is_positive(float number) { return number > 0 && std::isfinite(number); }
+
+  [[noreturn]] void reject(const std::string& what, const std::string& cure) const {
+    throw InputError(fmt::format("{}: {}; {}", file_.string(), what, cure));
+  }
+  [[noreturn]] void reject_particle(std::size_t i, const std::string& what) const {
+    reject(fmt::format("particle {} at x = {:.4g} m, z = {:.4g} m: {}", p_.id[i], p_.position[i].x(),
+                       p_.position[i].z(), what),
+           "correct it, or fill the scene with gencase");
+  }
+
+  template <class Less>
+  [[nodiscard]] std::vector<std::size_t> sorted(const Less& less) const {
+    std::vector<std::size_t> order(p_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), less);
+    return order;
+  }
+
+  void motions(std::size_t known) const {
+    const auto found = p_.scalars.find(motion_array);
+    if (found == p_.scalars.end() || found->second.size() != p_.size()) {
+      reject("the array Motion is needed where walls move", refill);
+    }
+    for (const float number : found->second) {
+      if (number >= 0 && number <= static_cast<float>(known) && std::floor(number) == number) continue;
+      reject(fmt::format("the array Motion holds {}, and the case has {} motions", number, known), refill);
+    }
+  }
+
+  const ParticleSet& p_;
+  const std::filesystem::path& file_;
+};
+
+}  // namespace
+
+void check_start(const ParticleSet& particles, const std::filesystem::path& file, const Case& scene) {
+  const Checker check(particles, file);
+  check.facts(scene);
+  check.sizes(scene);
+  check.numbers();
+  check.ids();
+  if (scene.info.dimension == 2) check.plane();
+  check.places(scene.model.seepage == SeepageModel::mixture);
+}
+
+}  // namespace thalweg
