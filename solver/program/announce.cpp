@@ -1,7 +1,9 @@
 #include "solver/program/announce.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "common/units.hpp"
 #include "solver/simulation/start.hpp"
 
 namespace thalweg {
@@ -54,6 +56,28 @@ void announce_choices(const Case& of) {
   announce("numerics.shifting", of.numerics.shifting, Shifting::off);
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
+  for (const std::string& warning : warnings_of_coarse_grains(of)) spdlog::warn(warning);
+}
+
+std::vector<std::string> warnings_of_coarse_grains(const Case& c) {
+  std::vector<std::string> warnings;
+  if (c.model.sediment != SedimentModel::three_state || c.model.implementation != Implementation::law) return warnings;
+  const double spacing = c.numerics.spacing;
+  for (const auto& [name, grains] : c.sediments) {
+    const auto warn = [&](const char* key, double length, const char* effect, const char* cure) {
+      warnings.push_back(fmt::format("materials.{}.{} = {} is more than the spacing of {}: {}; {}", name, key,
+                                     format_quantity(length, "m"), format_quantity(spacing, "m"), effect, cure));
+    };
+    if (grains.grain_diameter > spacing) {
+      warn("grain_diameter", grains.grain_diameter, "a layer of particles cannot carry all of the law's bed load",
+           "choose a spacing above the grain diameter");
+    }
+    if (grains.roughness > spacing) {
+      warn("roughness", grains.roughness, "the water next to the bed lies below the logarithmic profile",
+           "choose a spacing above the roughness");
+    }
+  }
+  return warnings;
 }
 
 void warn_of_fast_walls(const Case& c, const ParticleSet& start) {

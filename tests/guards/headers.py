@@ -2,13 +2,15 @@
 """Checks that every header compiles alone: headers.py ROOT BUILD
 
 A header is given to the compiler with the flags of the translation units of its room, taken from BUILD's
-compile_commands.json, so that it sees what they see and nothing that another header happens to include first.
+compile_commands.json, so that it sees what they see and nothing that another header happens to include first. A header
+that a unit includes before anything else was compiled alone when that unit was built, and is not compiled again.
 """
 
 import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
@@ -33,14 +35,29 @@ def flags_of(command):
     return compiler, kept
 
 
+def units_of(root, build):
+    """The project's units that BUILD compiles, each with its command."""
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = pathlib.Path(entry["directory"], entry["file"]).resolve()
+        if path.is_relative_to(root) and path.suffix == ".cpp":
+            yield path, entry["command"]
+
+
+def included_first(root, build):
+    """The headers that some unit includes before anything else."""
+    found = set()
+    for path, _ in units_of(root, build):
+        first = re.search(r"^#include .*$", path.read_text(encoding="utf-8"), re.MULTILINE)
+        if first and '"' in first[0]:
+            found.add(first[0].split('"')[1])
+    return found
+
+
 def flags_by_room(root, build):
     """For each first folder the union of its units' flags, in the order they first appear."""
     rooms = {}
-    for entry in json.loads((build / "compile_commands.json").read_text()):
-        path = pathlib.Path(entry["directory"], entry["file"]).resolve()
-        if not path.is_relative_to(root) or path.suffix != ".cpp":
-            continue
-        compiler, flags = flags_of(entry["command"])
+    for path, command in units_of(root, build):
+        compiler, flags = flags_of(command)
         room = rooms.setdefault(path.relative_to(root).parts[0], (compiler, {}))
         for words in pair_up(flags):
             macro = words[-1].removeprefix("-D").split("=")[0]  # units may give one macro several values
@@ -69,9 +86,10 @@ def check(root, build):
     root, build = pathlib.Path(root).resolve(), pathlib.Path(build).resolve()
     rooms = flags_by_room(root, build)
     headers = [path.relative_to(root).as_posix() for path in sources(root, (".hpp",))]
+    alone = included_first(root, build)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
         jobs = []
-        for header in headers:
+        for header in (header for header in headers if header not in alone):
             room = header.split("/")[0]
             room = FLAGS_OF.get(room, room)
             if room not in rooms:

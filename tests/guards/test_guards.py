@@ -148,6 +148,13 @@ class Headers(Tree):
         self.assertEqual(len(violations), 1)
         self.assertTrue(violations[0].startswith("solver/step.hpp:1: does not compile alone"))
 
+    def test_a_header_that_a_unit_includes_first_is_left_to_the_build(self):
+        self.write("solver/step.hpp", "#pragma once\ninline std::vector<int> steps() { return {}; }\n")
+        self.write("solver/step.cpp", '#include <vector>\n\n#include "solver/step.hpp"\n')
+        self.assertEqual(len(headers.check(self.root, self.compile_commands())[0]), 1)
+        self.write("solver/step.cpp", '#include "solver/step.hpp"\n\n#include <vector>\n')
+        self.assertEqual(headers.check(self.root, self.compile_commands())[0], [])
+
     def test_a_warning_is_an_error(self):
         self.write("solver/step.cpp", "\n")
         self.write("solver/step.hpp", "#pragma once\ninline int one() { int unused = 2; return 1; }\n")
