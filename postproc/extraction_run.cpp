@@ -129,4 +129,9 @@ ExtractionRun extract_run(const RunFolder& run, const Case& resolved, const Extr
   return record;
 }
 
+bool has_front(const ExtractionRun& extraction) {
+  return std::any_of(extraction.fronts.begin(), extraction.fronts.end(),
+                     [](const FrontSample& sample) { return !std::isnan(sample.front); });
+}
+
 }  // namespace thalweg

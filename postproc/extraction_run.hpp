@@ -45,6 +45,9 @@ struct ExtractionRun {
   bool damaged = false;  // part of the run could not be read or a time asked for is missing
 };
 
+/// True if a snapshot has a water front; a scene without water has none.
+bool has_front(const ExtractionRun& extraction);
+
 /// Further things to take from the snapshots, besides the case's own lines and gauges.
 struct ExtractionOptions {
   std::vector<ProfileLine> lines;

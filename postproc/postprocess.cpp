@@ -38,6 +38,14 @@ RunFolder existing_run(const fs::path& folder) {
   return run;
 }
 
+// A sentence on a run whose snapshots end before the case does.
+std::string shortfall_of(const RunFolder& run, double last_time, double end) {
+  if (last_time >= end * (1 - 1e-6)) return "";
+  const std::string reached = fmt::format("t = {:g} s of {:g} s", last_time, end);
+  if (!fs::exists(run.diverged())) return "The results end at " + reached + ": the run was stopped, or it goes on";
+  return "This run failed after " + reached + "; its particles then are in " + run.diverged().filename().string();
+}
+
 ExtractionOptions extraction_options(const PostprocessOptions& options, const Case& resolved) {
   ExtractionOptions extraction{{}, options.surfaces};
   for (const std::string& line : options.lines) {
@@ -103,7 +111,9 @@ Exit postprocess(const PostprocessOptions& options) {
 
   const ExtractionOptions extraction = extraction_options(options, input.resolved);
   input.extraction = extract_run(run, input.resolved, extraction);
-  input.warnings = input.extraction.warnings;
+  input.shortfall = shortfall_of(run, input.extraction.last_time, input.resolved.output.end);
+  if (!input.shortfall.empty()) input.warnings.push_back(input.shortfall);
+  input.warnings.insert(input.warnings.end(), input.extraction.warnings.begin(), input.extraction.warnings.end());
   write_whole_text(run.view_script(), [](std::ostream& stream) { stream << embedded::view_script; });
   print_extraction(input.extraction, run);
 

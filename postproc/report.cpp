@@ -74,7 +74,9 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   for (const TimedProfile& timed : input.extraction.written) {
     scripts.push_back(writer.profiles(timed.time, input.sets, data, frame));
   }
-  scripts.push_back(writer.front(input.run.profiles() / "front.csv", fronts, input.sets));
+  if (has_front(input.extraction)) {
+    scripts.push_back(writer.front(input.run.profiles() / "front.csv", fronts, input.sets));
+  }
   if (input.history.rows > 0) {
     scripts.push_back(writer.energies(input.run.history(), !input.history.internal_energy.empty(),
                                       input.resolved.info.dimension == 2 ? "J/m" : "J"));

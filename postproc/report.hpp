@@ -43,6 +43,7 @@ struct ReportInput {
   std::vector<MeshModel> meshes;
   std::vector<Method> methods;
   std::vector<std::string> compare_arguments;
+  std::string shortfall;  // a sentence on a run that has not reached its end; empty for others
   std::vector<std::string> warnings;
   BedHistory bed_history;
   bool in_space = false;  // with the 3-D view

@@ -80,10 +80,11 @@ std::string heading(const ReportInput& input) {
   text += fmt::format(
       "<p class=\"meta\">Case <b>{}</b> · {} · particle spacing <b>{:g} mm</b> · to t = <b>{:g} s</b> · Thalweg "
       "<b>{}</b> "
-      "· case hash <b>{}</b></p>\n</header>\n",
+      "· case hash <b>{}</b></p>\n{}</header>\n",
       escape(info.name), info.dimension == 2 ? "2-D, the plane x–z, per metre of width" : "3-D",
       1e3 * input.extraction.info.spacing, input.extraction.last_time, escape(input.extraction.info.code_version),
-      escape(input.extraction.info.case_hash));
+      escape(input.extraction.info.case_hash),
+      input.shortfall.empty() ? "" : "<p class=\"warnings\"><b>" + escape(input.shortfall) + "</b></p>\n");
   return text;
 }
 

@@ -34,7 +34,8 @@ std::size_t kind_of(const ParticleSet& particles, std::size_t i) {
 ParticleTable write_particle_table(const fs::path& file, const ParticleSet& particles, double plane_y,
                                    std::size_t limit, bool with_walls) {
   ParticleTable table{file, {}, 0, 0};
-  const double half = particles.info.spacing / 2;
+  // A plane between two layers of the lattice lies half a spacing from both; rounding must not take both away.
+  const double half = 0.5 * (1 + 1e-3) * particles.info.spacing;
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const bool in_plane = particles.info.dimension == 2 || std::abs(particles.position[i].y() - plane_y) <= half;

@@ -49,6 +49,30 @@ double rms_misfit(const std::vector<double>& x, const std::vector<double>& z, do
   return std::sqrt(sum / static_cast<double>(x.size()));
 }
 
+TEST(Postprocess, SaysAtTheTopThatARunFailedOrWasStopped) {
+  const TemporaryFolder folder("shortfall");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  const RunFolder& run = synthetic.folder();
+  Case longer = read_case(run.resolved_case());
+  longer.output.end = 0.8;
+  write_case(run.resolved_case(), longer);
+  PostprocessOptions options;
+  options.folder = run.root;
+  options.report = true;
+  const auto head_of_page = [&] {
+    EXPECT_EQ(postprocess(options), Exit::done);
+    const std::string page = contents_of(run.report() / "index.html");
+    return page.substr(0, page.find("</header>"));
+  };
+  EXPECT_THAT(head_of_page(), HasSubstr("The results end at t = 0.5 s of 0.8 s"));
+  write_text(run.diverged(), "particles");
+  EXPECT_THAT(head_of_page(), HasSubstr("This run failed after t = 0.5 s of 0.8 s"));
+  longer.output.end = 0.5;
+  write_case(run.resolved_case(), longer);
+  EXPECT_THAT(head_of_page(), testing::Not(HasSubstr("class=\"warnings\"")));
+}
+
 TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
   const TemporaryFolder folder("report");
   const SyntheticRun synthetic(folder.path());
