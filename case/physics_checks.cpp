@@ -29,9 +29,10 @@ double least_depth(const Case& c) {
   return least;
 }
 
+/// A single layer of stones still is a bed, roughly; grains twice as large as the bed is deep are a slip of the unit.
 std::string grains_exceed_the_bed(const Case& c) {
   for (const auto& [name, material] : c.sediments)
-    if (material.grain_diameter > least_depth(c)) return "materials." + name + ".grain_diameter";
+    if (material.grain_diameter > 2 * least_depth(c)) return "materials." + name + ".grain_diameter";
   return "";
 }
 
@@ -114,8 +115,8 @@ std::vector<PhysicsCheck> physics_checks() {
        fmt::format("materials.water.density is above {} kg/m^3, more than water can carry in salt or mud",
                    heavier_than_liquids),
        "give it in kg/m^3; water has 1000"},
-      {"Grains larger than the bed is deep", grains_exceed_the_bed,
-       "grain_diameter is larger than the depth of a bed, which is a continuum of grains",
+      {"Grains twice as large as the bed is deep", grains_exceed_the_bed,
+       "grain_diameter is more than twice the depth of a bed, which is a continuum of grains",
        "give grain_diameter in its unit, as in \"2 mm\", or make the bed deeper"},
       {"Gravity along a periodic direction", falls_through_its_period,
        "gravity points along a direction that domain.periodic names, so that fluid falls for ever",

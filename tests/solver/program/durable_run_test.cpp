@@ -105,7 +105,7 @@ TEST_F(DurableRun, RefusesAnIncompleteCheckpoint) {
   refused([](Checkpoint& c) { c.particles.id[1] = c.particles.id[0]; }, "two particles have the id");
   refused([](Checkpoint& c) { c.particles.mass[0] = NAN; }, "its mass is nan kg");
   refused([](Checkpoint& c) { c.particles.position[1] = c.particles.position[0]; }, "it lies in the place of particle");
-  refused([](Checkpoint& c) { c.particles.info.spacing = NAN; }, "filled with a spacing of nan");
+  refused([](Checkpoint& c) { c.particles.info.spacing = NAN; }, "the fact Spacing is missing");
 }
 
 // Arrays that are left out, or the half of all particles, as a tool that rewrites the file would do.
