@@ -75,6 +75,9 @@ ProfileSet read_profile_set(const fs::path& folder_or_file, const std::string& l
     set.profiles.push_back(read_timed(folder_or_file));
     return set;
   }
+  if (!fs::is_directory(folder_or_file)) {
+    throw InputError(folder_or_file.string() + ": is neither a plain file nor a folder; name a profile or a run");
+  }
   for (const auto& entry : fs::directory_iterator(folder_of_profiles(folder_or_file))) {
     if (time_of_profile(entry.path())) set.profiles.push_back(read_timed(entry.path()));
   }

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <fstream>
@@ -118,6 +119,19 @@ TEST_F(ProfileFile, RefusesWhatIsNoProfile) {
   EXPECT_EQ(profile_message("x [m], bed [m]\n,2\n"), "a.csv:2: x is missing; every row needs one");
   EXPECT_EQ(profile_message("x, bed [m]\n1,2\n"),
             "a.csv:1: the column \"x\" is not in m; head it \"x [m]\" and give its values in that unit");
+}
+
+// Of these, one never ends and one never begins.
+TEST_F(ProfileFile, RefusesWhatIsNoPlainFile) {
+  ASSERT_EQ(mkfifo((folder / "pipe.csv").c_str(), 0600), 0);
+  for (const fs::path& file : {fs::path("/dev/zero"), folder / "pipe.csv", folder}) {
+    try {
+      read_profile(file);
+      ADD_FAILURE() << file << " was read";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), file.string() + ": is no plain file; give a table that was written to the disk");
+    }
+  }
 }
 
 TEST_F(ProfileFile, RefusesToWriteCurvesThatDoNotFit) {

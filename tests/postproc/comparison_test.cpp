@@ -179,6 +179,7 @@ TEST(ReadNamedSets, ReadsFilesFoldersAndRunsUnderTheirLabels) {
   EXPECT_THROW(read_named_sets({lab + "/t0.750.csv"}), InputError);       // not there
   EXPECT_THROW(read_named_sets({lab, lab + "/t0.250.csv"}), InputError);  // one time twice under one label
   EXPECT_THROW(read_named_sets({folder.path().string()}), InputError);    // no profile in it
+  EXPECT_THROW(read_named_sets({"/dev/zero"}), InputError);               // neither file nor folder
 }
 
 TEST(BedChange, FindsDeepestScourAndHighestDeposit) {
