@@ -4,8 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "common/error.hpp"
 #include "gencase/places.hpp"
@@ -16,7 +19,7 @@ namespace {
 /// Lines parallel to one axis through the middles of a grid of cells over a box.
 class Grid {
  public:
-  Grid(const Bounds& box, int cells) : box_(box), cells_(cells) {}
+  Grid(Bounds box, int cells) : box_(std::move(box)), cells_(cells) {}
   [[nodiscard]] double middle(int axis, int cell) const {
     return box_.lower[axis] + (cell + 0.5) / cells_ * (box_.upper[axis] - box_.lower[axis]);
   }
@@ -121,8 +124,9 @@ void check_container(const Case& scene, const Shape& shape, const Region& body) 
         bool between = true;
         bool inside = false;
         for (int axis = 0; axis < 3; ++axis) {
-          const Spans& spans = cuts[static_cast<std::size_t>(axis)][static_cast<std::size_t>(
-              cell[static_cast<std::size_t>((axis + 1) % 3)] * cells + cell[static_cast<std::size_t>((axis + 2) % 3)])];
+          const auto row = static_cast<std::size_t>(cell[static_cast<std::size_t>((axis + 1) % 3)]);
+          const auto column = static_cast<std::size_t>(cell[static_cast<std::size_t>((axis + 2) % 3)]);
+          const Spans& spans = cuts[static_cast<std::size_t>(axis)][row * static_cast<std::size_t>(cells) + column];
           const double at = grid.middle(axis, cell[static_cast<std::size_t>(axis)]);
           inside = inside || covers(spans, at);
           between = between && !spans.empty() && spans.front().low < at && (axis == 2 || spans.back().high > at);

@@ -63,7 +63,9 @@ std::vector<std::string> warnings_of_coarse_grains(const Case& c) {
   std::vector<std::string> warnings;
   if (c.model.sediment != SedimentModel::three_state || c.model.implementation != Implementation::law) return warnings;
   const double spacing = c.numerics.spacing;
-  for (const auto& [name, grains] : c.sediments) {
+  for (const auto& entry : c.sediments) {
+    const std::string& name = entry.first;
+    const SedimentTable& grains = entry.second;
     const auto warn = [&](const char* key, double length, const char* effect, const char* cure) {
       warnings.push_back(fmt::format("materials.{}.{} = {} is more than the spacing of {}: {}; {}", name, key,
                                      format_quantity(length, "m"), format_quantity(spacing, "m"), effect, cure));
