@@ -291,7 +291,12 @@ Exit run_solver(const RunOptions& options) {
   }
   remove_dead_parts(options.folder);
   if (fresh) remove_results(folder);
-  return run.to_the_end(start.continued);
+  try {
+    return run.to_the_end(start.continued);
+  } catch (const RunError&) {
+    lock.require_folder();  // a folder that has gone is the reason why a file in it cannot be written
+    throw;
+  }
 }
 
 }  // namespace thalweg
