@@ -14,6 +14,7 @@
 #include <ostream>
 
 #include "common/error.hpp"
+#include "common/shown.hpp"
 #include "common/whole_file.hpp"
 
 namespace thalweg {
@@ -61,11 +62,6 @@ char separator_of(const std::string& heading) {
   for (const char c : {';', '\t'})
     if (count(c) > count(most)) most = c;
   return most;
-}
-
-std::string shown(const std::string& cell) {
-  constexpr std::size_t most = 24;
-  return cell.size() <= most ? cell : cell.substr(0, most) + "...";
 }
 
 std::optional<double> number_in(const std::string& cell) {

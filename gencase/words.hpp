@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/shown.hpp"
+
 // Words and numbers of mesh files in text.
 namespace thalweg::gencase {
 
@@ -31,12 +33,6 @@ std::optional<Number> number_of(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
   return value;
-}
-
-/// The beginning of a word from a file, short enough for a message.
-inline std::string shown(std::string_view word) {
-  constexpr std::size_t most = 24;
-  return word.size() <= most ? std::string(word) : std::string(word.substr(0, most)) + "...";
 }
 
 }  // namespace thalweg::gencase

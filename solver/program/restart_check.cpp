@@ -7,6 +7,7 @@
 
 #include "case/reader/differences.hpp"
 #include "common/error.hpp"
+#include "common/shown.hpp"
 
 namespace thalweg {
 namespace {
@@ -33,9 +34,8 @@ void check_words(const std::vector<std::string>& anyway) {
 /// "numerics.cfl 0.5 -> 0.3, …": three at most, short values.
 std::string shown(const std::vector<KeyDifference>& differences) {
   constexpr std::size_t most = 3;
-  constexpr std::size_t longest = 24;
   const auto value = [](const std::string& text) {
-    return text.empty() ? std::string("absent") : text.size() > longest ? text.substr(0, longest) + "..." : text;
+    return text.empty() ? std::string("absent") : thalweg::shown(text);
   };
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < std::min(most, differences.size()); ++i) {
