@@ -3,6 +3,8 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -21,6 +23,7 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 enum Kind { open_edge = 1, crowded_edge = 2, opposed_edge = 3, degenerate_face = 4, intersecting_face = 5 };
@@ -106,9 +109,11 @@ bool overlap(const Triangles& surface, std::size_t f, std::size_t g) {
   };
   const auto [a_through_b, one_plane] = both_sides(a, b);
   if (!one_plane) return a_through_b && both_sides(b, a).first;
-  const auto shared = CGAL::intersection(a, b);
-  return shared && boost::get<Kernel::Point_3>(&*shared) == nullptr &&
-         boost::get<Kernel::Segment_3>(&*shared) == nullptr;
+  if (a.is_degenerate() || b.is_degenerate()) return true;
+  // With rounded points the intersection can end in none of its cases, and CGAL then reads past the end of a list.
+  const CGAL::Cartesian_converter<Kernel, Exact> exact;
+  const auto shared = CGAL::intersection(exact(a), exact(b));
+  return shared && boost::get<Exact::Point_3>(&*shared) == nullptr && boost::get<Exact::Segment_3>(&*shared) == nullptr;
 }
 
 void find_intersections(const Triangles& surface, MeshDefects& defects) {
