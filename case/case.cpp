@@ -10,7 +10,11 @@ namespace thalweg {
 
 bool Case::has_sediment() const {
   return std::any_of(shapes.begin(), shapes.end(),
-                     [](const Shape& shape) { return shape.role == ShapeRole::sediment; });
+                     [](const Shape& shape) { return shape.role == ShapeRole::sediment || shape.concentration > 0; });
+}
+
+bool Case::has_concentration() const {
+  return std::any_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.concentration > 0; });
 }
 
 bool Case::has_rough_walls() const {

@@ -19,6 +19,7 @@
 #include "case/tables/output.hpp"
 #include "case/tables/sediment.hpp"
 #include "case/tables/shape.hpp"
+#include "case/tables/suspended_load.hpp"
 #include "case/tables/water.hpp"
 
 namespace thalweg {
@@ -39,6 +40,7 @@ struct Case {
   WaterParameters water;
   std::map<std::string, SedimentTable> sediments;  // by their names
   Model model;
+  SuspendedLoad suspended_load;
   Numerics numerics;
   Output output;
   std::vector<Gauge> gauges;
@@ -48,16 +50,18 @@ struct Case {
 
   /// The one list of tables, in the order in which they are read, written and described.
   static constexpr auto tables() {
-    return std::tuple{&Case::info,   &Case::domain,    &Case::shapes,  &Case::motions,  &Case::gencase,
-                      &Case::water,  &Case::sediments, &Case::model,   &Case::numerics, &Case::output,
-                      &Case::gauges, &Case::lines,     &Case::compare, &Case::foam};
+    return std::tuple{&Case::info,   &Case::domain,    &Case::shapes, &Case::motions,        &Case::gencase,
+                      &Case::water,  &Case::sediments, &Case::model,  &Case::suspended_load, &Case::numerics,
+                      &Case::output, &Case::gauges,    &Case::lines,  &Case::compare,        &Case::foam};
   }
 
   [[nodiscard]] int dimension() const { return info.dimension; }
   /// Smoothing length of the kernel [m].
   [[nodiscard]] double smoothing_length() const { return numerics.smoothing_ratio * numerics.spacing; }
-  /// True if some shape is filled with sediment.
+  /// True if some shape is filled with sediment, or with water that carries grains.
   [[nodiscard]] bool has_sediment() const;
+  /// True if some shape is filled with water that carries grains.
+  [[nodiscard]] bool has_concentration() const;
   /// True if some wall's shape has a roughness.
   [[nodiscard]] bool has_rough_walls() const;
   /// The one sediment of the scene; throws InputError when there is none or more than one.

@@ -26,6 +26,10 @@ inline constexpr const char* motion_array = "Motion";
 /// are smooth.
 inline constexpr const char* roughness_array = "Roughness";
 
+/// Name of the array with the volume share of grains in a water particle [-]; of a bed particle 1. Absent where no water
+/// carries grains.
+inline constexpr const char* concentration_array = "Concentration";
+
 /// Facts about a whole particle file, stored as FieldData. A program that writes on what it has read copies this
 /// struct, so that every fact passes through snapshots, checkpoints and restarts.
 struct ParticleFileInfo {

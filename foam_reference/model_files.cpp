@@ -64,6 +64,7 @@ std::string thalweg_sediment(const FoamCase& foam_case) {
             yieldCriterion      %criterion%;
             yieldFit            %fit%;
             effectivePressure   %closure%;
+            asPrinted           %as_printed%;
             rheology            %rheology%;
             consistency         %consistency%;
             flowIndex           %flow_index%;
@@ -89,6 +90,7 @@ std::string thalweg_sediment(const FoamCase& foam_case) {
                      {"criterion", dictionary_word(scene.model.yield)},
                      {"fit", dictionary_word(plane_strain_fit(scene.model.yield, scene.model.yield_fit))},
                      {"closure", dictionary_word(scene.model.effective_pressure)},
+                     {"as_printed", scene.model.implementation == Implementation::paper ? "true" : "false"},
                      {"rheology", dictionary_word(scene.model.rheology)},
                      {"consistency", number(s.consistency)},
                      {"flow_index", number(s.flow_index)},

@@ -5,7 +5,8 @@
 namespace thalweg::foam {
 
 SedimentMaterial<double> sediment_material(const Case& scene) {
-  return make_material<double>(scene.sediment(), {scene.model.yield, scene.model.yield_fit, scene.model.rheology});
+  return make_material<double>(scene.sediment(), {scene.model.yield, scene.model.yield_fit, scene.model.rheology,
+                                                  scene.model.implementation == Implementation::paper});
 }
 
 StockRheology stock_rheology(const Case& scene, const SceneContents& contents) {

@@ -99,6 +99,7 @@ ParticleSet allocate(const Case& resolved, const std::vector<PlacedShape>& shape
   }
   if (!resolved.motions.empty()) set.scalars[motion_array].reserve(count);
   if (resolved.has_rough_walls()) set.scalars[roughness_array].reserve(count);
+  if (resolved.has_concentration()) set.scalars[concentration_array].reserve(count);
   return set;
 }
 
@@ -121,6 +122,7 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
   auto wall = filling.walls.begin();
   std::vector<float>* motions = resolved.motions.empty() ? nullptr : &set.scalars[motion_array];
   std::vector<float>* roughness = resolved.has_rough_walls() ? &set.scalars[roughness_array] : nullptr;
+  std::vector<float>* concentration = resolved.has_concentration() ? &set.scalars[concentration_array] : nullptr;
   std::vector<float>* distances = filling.walls.empty() ? nullptr : &set.scalars["WallDistance"];
   for (std::int64_t column = 0; column < lattice.columns(); ++column) {
     start.column(column, pressures);
@@ -142,6 +144,7 @@ ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>&
         set.state.push_back(shape.type() == ParticleType::sediment ? SedimentState::deposit : SedimentState::none);
       if (motions != nullptr) motions->push_back(number_of_motion(resolved, *shape.shape));
       if (roughness != nullptr) roughness->push_back(static_cast<float>(shape.shape->roughness));
+      if (concentration != nullptr) concentration->push_back(static_cast<float>(shape.shape->concentration));
       if (distances == nullptr) continue;
       const bool is_wall = shape.is_wall();
       set.normal.push_back(is_wall ? wall->normal : Eigen::Vector3f::Zero());

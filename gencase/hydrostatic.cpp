@@ -14,7 +14,7 @@ double hydrostatic_density(double density_at_rest, double pressure, double sound
 HydrostaticStart::HydrostaticStart(const Filling& filling, const std::vector<PlacedShape>& shapes, double gravity)
     : filling_(filling), gravity_(gravity), fluid_density_(std::size_t{solid_core} + 1, 0.0) {
   for (std::size_t s = 0; s < shapes.size(); ++s)
-    if (shapes[s].is_fluid()) fluid_density_[s + 1] = shapes[s].density_at_rest;
+    if (shapes[s].is_fluid()) fluid_density_[s + 1] = shapes[s].weighing_density;
   find_runs();
   connect_runs();
 }

@@ -35,7 +35,7 @@ std::size_t split_into_mixture(const Case& scene, const std::vector<PlacedShape>
   const double cell = filling.lattice.cell();
   std::vector<PlacedShape> of_water = shapes;
   for (PlacedShape& shape : of_water)
-    if (shape.is_fluid()) shape.density_at_rest = rho_w;
+    if (shape.is_fluid()) shape.density_at_rest = shape.weighing_density = rho_w;
   const HydrostaticStart water(filling, of_water, gravity);
 
   const std::size_t before = particles.size();

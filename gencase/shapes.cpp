@@ -180,6 +180,13 @@ double density_at_rest(const Case& scene, const Shape& shape) {
   return shape.material.empty() ? scene.sediment().bed_density() : scene.sediments.at(shape.material).bed_density();
 }
 
+/// The same of the water with the grains that it carries.
+double density_with_grains(const Case& scene, const Shape& shape) {
+  const double at_rest = density_at_rest(scene, shape);
+  if (shape.concentration == 0) return at_rest;
+  return at_rest + shape.concentration * (scene.sediment().grain_density - at_rest);
+}
+
 void check_extent(const Case& scene, const Shape& shape, const Bounds& bounds) {
   const double spacing = scene.numerics.spacing;
   for (int axis = 0; axis < 3; ++axis) {
@@ -232,7 +239,8 @@ std::vector<PlacedShape> place_shapes(const Case& scene, const Notes& notes) {
     const RegionPointer region = make_region(scene, shape, earlier, thickness, notes);
     earlier.named[shape.name] = region;
     if (shape.role == ShapeRole::none) continue;
-    PlacedShape result{&shape, region, nullptr, thickness, density_at_rest(scene, shape)};
+    PlacedShape result{
+        &shape, region, nullptr, thickness, density_at_rest(scene, shape), density_with_grains(scene, shape)};
     check_extent(scene, shape, region->bounds());
     if (result.is_wall() && shape.side == WallSide::outside) {
       if (shape.kind == ShapeKind::box) {

@@ -13,10 +13,11 @@ namespace thalweg::gencase {
 /// A shape with a role in the filling, and its geometry.
 struct PlacedShape {
   const Shape* shape = nullptr;
-  RegionPointer body;          // a volume of fluid, a solid with its core, or the wall of a container
-  RegionPointer room;          // containers: their inside, extended through open faces; nullptr for other shapes
-  double thickness = 0;        // [m] walls: depth below the skin up to which there are particles
-  double density_at_rest = 0;  // [kg/m^3] of its particles
+  RegionPointer body;           // a volume of fluid, a solid with its core, or the wall of a container
+  RegionPointer room;           // containers: their inside, extended through open faces; nullptr for other shapes
+  double thickness = 0;         // [m] walls: depth below the skin up to which there are particles
+  double density_at_rest = 0;   // [kg/m^3] of its particles
+  double weighing_density = 0;  // [kg/m^3] the same with the grains that water carries
 
   [[nodiscard]] bool is_fluid() const { return shape->role == ShapeRole::water || shape->role == ShapeRole::sediment; }
   [[nodiscard]] bool is_wall() const { return shape->role == ShapeRole::wall || shape->role == ShapeRole::moving_wall; }

@@ -8,6 +8,7 @@
 #include "case/models/rest.hpp"
 #include "case/models/sediment_motion.hpp"
 #include "case/models/shifting.hpp"
+#include "case/models/suspended_load.hpp"
 #include "case/models/three_state.hpp"
 #include "case/models/turbulence.hpp"
 #include "case/models/wall_friction.hpp"
@@ -16,7 +17,7 @@ namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
 using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, WallStress,
-                       SubParticleStress, ParticleShifting>;
+                       SubParticleStress, ParticleShifting, SuspendedLoadOfWater>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -11,6 +11,7 @@ bool lacks_columns(const Case& c) {
       return false;
     case EffectivePressure::laplace:
     case EffectivePressure::eos:
+    case EffectivePressure::total:
       return true;
   }
   return true;

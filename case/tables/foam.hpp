@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "case/models/bed_load.hpp"
+#include "case/models/suspended_load.hpp"
 #include "case/tables/table.hpp"
-#include "physics/transport/pick_up.hpp"
 
 namespace thalweg {
 
@@ -18,10 +18,6 @@ enum class FoamTurbulence { laminar, smagorinsky };
 inline constexpr std::array<Choice<FoamTurbulence>, 2> choices(FoamTurbulence) {
   return {{{FoamTurbulence::laminar, "laminar", "none"},
            {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"}}};
-}
-inline constexpr std::array<Choice<PickUp>, 2> choices(PickUp) {
-  return {{{PickUp::mastbergen, "mastbergen", "the lift velocity of Mastbergen & van den Berg"},
-           {PickUp::van_rijn, "van-rijn", "van Rijn's pick-up function, for sands"}}};
 }
 
 /// [foam]: the mesh model of the same scene, in OpenFOAM.

@@ -18,6 +18,7 @@ void Model::set_defaults(const GivenWords& given) {
     case Implementation::paper:
       yield_fit = YieldFit::paper;
       bed_shear = BedShear::paper;
+      effective_pressure = EffectivePressure::total;
       return;
   }
 }

@@ -2,6 +2,7 @@
 
 #include "case/case.hpp"
 #include "case/check_context.hpp"
+#include "case/models/pore_pressure.hpp"
 #include "case/models/three_state.hpp"
 #include "case/tables/common_checks.hpp"
 #include "case/tables/given_words.hpp"
@@ -20,6 +21,10 @@ void SedimentTable::set_defaults(const GivenWords& given) {
   }
 }
 
+void SedimentTable::complete(const Case& whole) {
+  if (whole.model.implementation == Implementation::paper && given_density == 0) given_density = grain_density;
+}
+
 void SedimentTable::check(const Case& whole, const CheckContext& at) const {
   check_word(at, "material", at.path().substr(at.path().find('.') + 1));
   if (dense_concentration < dilute_concentration) {
@@ -31,6 +36,11 @@ void SedimentTable::check(const Case& whole, const CheckContext& at) const {
         at.key("grain_density"),
         at.key("grain_density") + " is not above the water's density: grains that float have no threshold of motion",
         "give the grains' own density, without pores, or write model.sediment = \"viscoplastic\"");
+  }
+  if (critical_porosity > 0 && !models::PorePressure::is_on(whole)) {
+    at.reject(at.key("critical_porosity"),
+              at.key("critical_porosity") + " means nothing without the pressure of the water in the pores",
+              "write pore_pressure = \"diffusion\" in [model], or remove it");
   }
   switch (whole.model.rheology) {
     case Rheology::herschel_bulkley:

@@ -15,6 +15,8 @@ struct SedimentTable : SedimentParameters {
 
   /// model.implementation = "paper" sets the defaults of consistency and flow index.
   void set_defaults(const GivenWords& given);
+  /// model.implementation = "paper" gives the bed the density of its grains, unless the case gives one.
+  void complete(const Case& whole);
   void check(const Case& whole, const CheckContext& at) const;
 };
 

@@ -53,6 +53,7 @@ KindTraits traits_of(ShapeKind kind) {
 bool Shape::uses_key(std::string_view key, int dimension) const {
   if (key == "name" || key == "kind" || key == "role") return true;
   if (key == "material") return role == ShapeRole::sediment;
+  if (key == "concentration") return role == ShapeRole::water;
   if (key == "motion") return role == ShapeRole::moving_wall;
   if (key == "side" || key == "roughness") return is_wall(role);
   if (key == "thickness") return is_wall(role) || kind == ShapeKind::layer;

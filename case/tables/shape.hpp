@@ -111,9 +111,10 @@ struct Shape {
   std::string motion;
   WallSide side = WallSide::inside;
   std::vector<std::string> open;
-  double thickness = 0;  // [m]
-  double roughness = 0;  // [m]
-  int line = 0;          // where it stands in the case file, for messages; not a key
+  double thickness = 0;      // [m]
+  double roughness = 0;      // [m]
+  double concentration = 0;  // [-]
+  int line = 0;              // where it stands in the case file, for messages; not a key
 
   template <class V>
   void describe(V& v) {
@@ -151,6 +152,9 @@ struct Shape {
                "layer: height above the floor. Walls: thickness; default: as much as the kernel's support needs.");
     v.quantity("roughness", roughness, "m", 0, 1,
                "Walls with model.wall_friction = \"rough\": Nikuradse's sand-grain roughness; 0: smooth.");
+    v.number(
+        "concentration", concentration, 0, 0.7,
+        "role = \"water\" with suspended_load.carried_by = \"water\": volume share of the grains in it at the start.");
   }
 
   [[nodiscard]] bool uses_key(std::string_view key, int dimension) const;

@@ -223,6 +223,21 @@ void check_inside_domain(const CheckContext& at, const Shape& s, const Domain& d
   }
 }
 
+void check_concentration(const CheckContext& at, const Shape& s, const Case& whole) {
+  if (s.concentration == 0) return;
+  const std::string key = at.key("concentration");
+  if (!models::SuspendedLoadOfWater::is_on(whole)) {
+    at.reject(key, key + " means nothing unless the water carries grains",
+              "write carried_by = \"water\" in [suspended_load], or remove it");
+  }
+  const double packed = 1 - whole.sediment().porosity;
+  if (s.concentration < packed) return;
+  at.reject(key,
+            fmt::format("{} = {} is that of a bed or more ({} of the volume of a bed are grains)", key, s.concentration,
+                        packed),
+            "give less, or the shape the role \"sediment\"");
+}
+
 void check_role(const CheckContext& at, const Shape& s, const Case& whole) {
   switch (s.role) {
     case ShapeRole::none:
@@ -230,6 +245,7 @@ void check_role(const CheckContext& at, const Shape& s, const Case& whole) {
     case ShapeRole::moving_wall:
       return check_motion(at, s, whole);
     case ShapeRole::water:
+      check_concentration(at, s, whole);
       return check_inside_domain(at, s, whole.domain);
     case ShapeRole::sediment:
       check_material(at, s, whole);

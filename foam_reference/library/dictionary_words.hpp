@@ -17,6 +17,8 @@ inline const char* dictionary_word(EffectivePressure choice) {
       return "laplace";
     case EffectivePressure::eos:
       return "eos";
+    case EffectivePressure::total:
+      return "total";
     case EffectivePressure::column:
       break;
   }
@@ -45,6 +47,8 @@ inline const char* dictionary_word(YieldFit choice) {
       return "planeStrain";
     case YieldFit::paper:
       return "paper";
+    case YieldFit::printed:
+      return "printed";
     case YieldFit::sine:
       break;
   }

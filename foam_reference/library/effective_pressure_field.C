@@ -70,13 +70,15 @@ Foam::scalarField laplace(const EffectivePressureLaw& law, const MeshColumns& co
   return Foam::max(pressure.primitiveField(), Foam::scalar(0));
 }
 
-Foam::scalarField share_of_pressure(const EffectivePressureLaw& law, const Foam::fvMesh& mesh) {
-  Foam::scalarField pressure(mesh.nCells(), 0);
+Foam::scalarField total_pressure(const Foam::fvMesh& mesh) {
   const auto* total = mesh.cfindObject<Foam::volScalarField>("p");
-  if (total == nullptr) return pressure;
-  forAll(pressure, cell) {
-    pressure[cell] = effective_pressure_of_state((*total)[cell], law.pore_density, law.bed_density);
-  }
+  if (total == nullptr) return Foam::scalarField(mesh.nCells(), 0);
+  return Foam::max(total->primitiveField(), Foam::scalar(0));
+}
+
+Foam::scalarField share_of_pressure(const EffectivePressureLaw& law, const Foam::fvMesh& mesh) {
+  Foam::scalarField pressure = total_pressure(mesh);
+  for (auto& p : pressure) p = effective_pressure_of_state(p, law.pore_density, law.bed_density);
   return pressure;
 }
 
@@ -89,6 +91,8 @@ Foam::scalarField effective_pressure(const EffectivePressureLaw& law, const Mesh
       return laplace(law, columns, sediment);
     case EffectivePressure::eos:
       return share_of_pressure(law, sediment.mesh());
+    case EffectivePressure::total:
+      return total_pressure(sediment.mesh());
     case EffectivePressure::column:
       break;
   }

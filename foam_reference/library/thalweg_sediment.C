@@ -20,11 +20,12 @@ using thalweg::YieldCriterion;
 using thalweg::YieldFit;
 using thalweg::foam::dictionary_choices;
 
-const auto closures = dictionary_choices(EffectivePressure::column, EffectivePressure::laplace, EffectivePressure::eos);
+const auto closures = dictionary_choices(EffectivePressure::column, EffectivePressure::laplace, EffectivePressure::eos,
+                                         EffectivePressure::total);
 const auto criteria = dictionary_choices(YieldCriterion::drucker_prager, YieldCriterion::mohr_coulomb);
 const auto rheologies = dictionary_choices(Rheology::herschel_bulkley, Rheology::mu_of_i);
 const auto fits = dictionary_choices(YieldFit::sine, YieldFit::coulomb, YieldFit::outer, YieldFit::inner,
-                                     YieldFit::plane_strain, YieldFit::paper);
+                                     YieldFit::plane_strain, YieldFit::paper, YieldFit::printed);
 
 thalweg::SedimentParameters parameters_of(const dictionary& of) {
   const auto scalar_of = [&](const word& key) { return of.get<scalar>(key); };
@@ -49,7 +50,8 @@ thalwegSediment::Law thalwegSediment::law_of(const dictionary& of) {
   const thalweg::SedimentParameters parameters = parameters_of(of);
   Law law;
   law.material = thalweg::make_material<double>(
-      parameters, {criteria.get("yieldCriterion", of), fits.get("yieldFit", of), rheologies.get("rheology", of)});
+      parameters, {criteria.get("yieldCriterion", of), fits.get("yieldFit", of), rheologies.get("rheology", of),
+                   of.get<bool>("asPrinted")});
   law.density = of.get<scalar>("density");
   law.least_viscosity = of.get<scalar>("leastViscosity");
   law.pressure.closure = closures.get("effectivePressure", of);

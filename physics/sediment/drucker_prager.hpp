@@ -13,7 +13,7 @@
 namespace thalweg {
 
 /// The way from a friction angle and a cohesion to K and c_0.
-enum class YieldFit { sine, coulomb, outer, inner, plane_strain, paper };
+enum class YieldFit { sine, coulomb, outer, inner, plane_strain, paper, printed };
 
 /// K [-] for the friction angle phi [rad], 0 <= phi < pi/2. The last column: phi = 38 deg.
 ///   sine           sin(phi)                               0.616   plane strain without dilation; the default
@@ -21,7 +21,7 @@ enum class YieldFit { sine, coulomb, outer, inner, plane_strain, paper };
 ///   outer          6 sin(phi) / (sqrt3 (3 - sin(phi)))    0.894   the cone around Mohr-Coulomb's hexagon
 ///   inner          6 sin(phi) / (sqrt3 (3 + sin(phi)))    0.590   the cone through the hexagon's inner corners
 ///   plane_strain   3 tan(phi) / sqrt(9 + 12 tan^2(phi))   0.580   plane strain with dilation = friction
-///   paper          2 sin(phi) / (sqrt3 (3 - sin(phi)))    0.298   the paper's (10): made for I1 = 3p, used on p
+///   paper, printed 2 sin(phi) / (sqrt3 (3 - sin(phi)))    0.298   the paper's (10): made for I1 = 3p, used on p
 /// A long slope stands up to the angle whose tangent is K: phi itself with `coulomb`, atan(sin(phi)) with `sine`,
 /// which is 31.6 deg for phi = 38 deg.
 template <class Real>
@@ -43,6 +43,7 @@ HOST_DEVICE inline Real yield_pressure_coefficient(Real phi, YieldFit fit) {
     case YieldFit::coulomb:
       return tan(phi);
     case YieldFit::paper:
+    case YieldFit::printed:
       return 2 * s / (sqrt3 * (3 - s));
     case YieldFit::sine:
       break;
@@ -53,7 +54,8 @@ HOST_DEVICE inline Real yield_pressure_coefficient(Real phi, YieldFit fit) {
 /// Yield stress without pressure c_0 [Pa] for the cohesion c [Pa], matched to the same edge as K:
 ///   sine           c cos(phi)
 ///   coulomb        c
-///   outer, paper   6 c cos(phi) / (sqrt3 (3 - sin(phi)))   misprinted "6 c sin" in the paper
+///   outer, paper   6 c cos(phi) / (sqrt3 (3 - sin(phi)))
+///   printed        6 c sin(phi) / (sqrt3 (3 - sin(phi)))   the paper's misprint
 ///   inner          6 c cos(phi) / (sqrt3 (3 + sin(phi)))
 ///   plane_strain   3 c / sqrt(9 + 12 tan^2(phi))
 template <class Real>
@@ -63,12 +65,15 @@ HOST_DEVICE inline Real yield_cohesion_term(Real cohesion, Real phi, YieldFit fi
   using std::sqrt;
   using std::tan;
   const Real sqrt3 = sqrt(Real(3));
+  const Real s = sin(phi);
   switch (fit) {
     case YieldFit::outer:
     case YieldFit::paper:
-      return 6 * cohesion * cos(phi) / (sqrt3 * (3 - sin(phi)));
+      return 6 * cohesion * cos(phi) / (sqrt3 * (3 - s));
+    case YieldFit::printed:
+      return 6 * cohesion * s / (sqrt3 * (3 - s));
     case YieldFit::inner:
-      return 6 * cohesion * cos(phi) / (sqrt3 * (3 + sin(phi)));
+      return 6 * cohesion * cos(phi) / (sqrt3 * (3 + s));
     case YieldFit::plane_strain: {
       const Real t = tan(phi);
       return 3 * cohesion / sqrt(9 + 12 * t * t);

@@ -12,7 +12,8 @@ namespace thalweg {
 ///   laplace   Laplace's equation in the bed with that weight at walls and surface
 ///             (solver/models/bed/laplace_pressure.hpp)
 ///   eos       a share of the pressure from the equation of state; for comparison only
-enum class EffectivePressure { column, laplace, eos };
+///   total     all of that pressure, as the paper's (9) and (14) print it; for comparison only
+enum class EffectivePressure { column, laplace, eos, total };
 
 /// Weight of the bed under water per volume (rho_bed - rho_pore) g [N/m^3]. Densities of the bed as a whole and of the
 /// fluid in its pores [kg/m^3], gravity g [m/s^2]. 1540 kg/m^3 in water: 5297 N/m^3.

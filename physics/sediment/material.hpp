@@ -27,6 +27,7 @@ struct MaterialChoices {
   YieldCriterion yield = YieldCriterion::drucker_prager;
   YieldFit yield_fit = YieldFit::sine;
   Rheology rheology = Rheology::herschel_bulkley;
+  bool as_printed = false;  // the paper's (8) taken for the viscosity itself, of which it is twice
 };
 
 /// Constants of a sediment's law, SI. Real: float for particles, double for the mesh model.
@@ -42,6 +43,7 @@ struct SedimentMaterial {
   InertialScale<Real> inertia{};
   YieldCriterion yield = YieldCriterion::drucker_prager;
   Rheology rheology = Rheology::herschel_bulkley;
+  Real printed_factor = 1;  // of Herschel-Bulkley's viscosity [-]
 };
 
 /// The yield fit that decides K and c_0 in plane strain. Mohr-Coulomb's criterion has one strength there,
@@ -72,6 +74,7 @@ SedimentMaterial<Real> make_material(const SedimentParameters& s, const Material
                  static_cast<Real>(s.grain_density)};
   out.yield = choices.yield;
   out.rheology = choices.rheology;
+  out.printed_factor = choices.as_printed ? 2 : 1;
   return out;
 }
 
@@ -96,7 +99,8 @@ HOST_DEVICE inline Real apparent_viscosity_of(const SedimentMaterial<Real>& of, 
                                               Real effective_pressure, Real lode_sine) {
   switch (of.rheology) {
     case Rheology::herschel_bulkley:
-      return herschel_bulkley_viscosity(shear_rate, yield_stress, of.regularisation, of.consistency, of.flow_index);
+      return of.printed_factor *
+             herschel_bulkley_viscosity(shear_rate, yield_stress, of.regularisation, of.consistency, of.flow_index);
     case Rheology::mu_of_i:
       break;
   }

@@ -22,7 +22,10 @@ struct SedimentParameters {
   double roughness = 0;               // [m] ks; 0: the grain diameter
   double lift_ratio = 0.85;           // [-] lift over drag of a grain
   double critical_shields = 0;        // [-]; 0: by the grain Reynolds number
+  double given_density = 0;           // [kg/m^3] of the bed as a whole; 0: by the porosity
   double oedometer_modulus = 1e6;     // [Pa]
+  double critical_porosity = 0;       // [-]; 0: the packing keeps its porosity when it is sheared
+  double dilatancy = 4.09;            // [-] tangent of the angle of dilatancy over the difference of shares of solids
 
   // Three states: when grains leave the bed load, and when they come back to it.
   double dilute_concentration = 0.312;  // [-]
@@ -38,7 +41,9 @@ struct SedimentParameters {
   double wake_shear = 1.5;              // [-] over the shear rate of rest
 
   /// Density of the bed as a whole, grains and what fills the pores [kg/m^3].
-  [[nodiscard]] double bed_density() const { return porosity * pore_density + (1 - porosity) * grain_density; }
+  [[nodiscard]] double bed_density() const {
+    return given_density > 0 ? given_density : porosity * pore_density + (1 - porosity) * grain_density;
+  }
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -47,6 +52,9 @@ struct SedimentParameters {
     v.number("porosity", porosity, 0, 0.95,
              "Share of the bed's volume that is pores; bed density = porosity * pore density + (1 - porosity) * grain "
              "density.");
+    v.quantity("bed_density", given_density, "kg/m^3", 0, 30000,
+               "Density of the bed as a whole, in place of the one that follows from the porosity; 0: that one. With "
+               "implementation = \"paper\" the default is the grains' own, which the paper gives the bed.");
     v.quantity("grain_diameter", grain_diameter, "m", 1e-6, 0.5, "Median grain diameter d50.");
     v.quantity("friction_angle", friction_angle, "rad", 0, 1.2, "Angle of internal friction.");
     v.quantity("cohesion", cohesion, "Pa", 0, 1e7, "Cohesion: yield stress without any effective pressure.");
@@ -73,6 +81,14 @@ struct SedimentParameters {
     v.quantity("oedometer_modulus", oedometer_modulus, "Pa", 1e3, 1e11,
                "Stiffness of the packing against compression, with which excess pore pressure drains "
                "(model.pore_pressure).");
+    v.number(
+        "critical_porosity", critical_porosity, 0, 0.95,
+        "Porosity in which the packing flows steadily: a denser one opens when it is sheared and sucks water in, a "
+        "looser one closes and presses it out (model.pore_pressure). 0: the porosity does not change.");
+    v.number(
+        "dilatancy", dilatancy, 0, 40,
+        "With critical_porosity: tangent of the angle of dilatancy over the difference of the shares of solids; 4.09 "
+        "for glass beads.");
     describe_states(v);
     describe_rest(v);
   }

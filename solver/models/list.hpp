@@ -12,6 +12,7 @@
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
 #include "solver/models/sub_particle/model.hpp"
+#include "solver/models/suspended_load/model.hpp"
 #include "solver/models/wall_stress/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
@@ -29,7 +30,8 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
-                            SubParticleModel, StatesModel, BedLoadModel, RestModel, WallStressModel, ShiftingModel>;
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, SubParticleModel,
+              StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel, ShiftingModel>;
 
 }  // namespace thalweg

@@ -181,6 +181,13 @@ struct ModelList {
     if (!(taken<Stage, Models>(step) || ...)) step.time(Stage::heading, water);
   }
 
+  /// Calls M::before_lists(on, p, scene) of every model that is on and offers it: before the lists are made anew, where
+  /// particles may become of another kind. The old lists still stand.
+  template <class Device, class Particles, class Scene>
+  static void before_lists(Device& on, Particles& p, const Scene& scene) {
+    (one_before_lists<Models>(on, p, scene), ...);
+  }
+
   /// Calls visit.template operator()<M>() for every model.
   template <class Visit>
   static void each(const Visit& visit) {
@@ -208,6 +215,13 @@ struct ModelList {
         if (!M::lists_due(step)) return;
       }
       step.time(heading_of<Stage, M>(), [&] { Stage::template run<M>(step); });
+    }
+  }
+
+  template <class M, class Device, class Particles, class Scene>
+  static void one_before_lists(Device& on, Particles& p, const Scene& scene) {
+    if constexpr (requires { M::before_lists(on, p, scene); }) {
+      if (M::is_on(scene)) M::before_lists(on, p, scene);
     }
   }
 

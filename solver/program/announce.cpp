@@ -40,6 +40,7 @@ void announce_sediment(const Case& c) {
   announce("model.yield", c.model.yield, Model{}.yield);
   announce("model.rheology", c.model.rheology, Model{}.rheology);
   if (c.model.sediment == SedimentModel::three_state) {
+    announce("suspended_load.carried_by", c.suspended_load.carried_by, CarriedBy::parcels);
     announce("model.bed_shear", c.model.bed_shear, Model{}.bed_shear);
     if (c.model.implementation == Implementation::law) announce("model.bed_load", c.model.bed_load);
   }

@@ -20,7 +20,7 @@ constexpr const char* history_header =
     "time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_energy [J],internal_energy [J],water_mass [kg],"
     "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-],viscous_retries [-],"
     "viscosity_capped [-],pressure_sweeps [-],resting [-],bed_load [-],suspended [-],mass_in [kg],mass_out [kg],"
-    "mass_lost [kg]";
+    "mass_lost [kg],grain_mass [kg],suspended_mass [kg]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -90,8 +90,8 @@ void RunOutput::history(const Totals& t, const MassLedger& ledger, const StepRep
       report.dt, limiter_name(report.limiter), t.kinetic_energy, t.potential_energy, t.internal_energy, t.water_mass,
       t.sediment_mass, counts.excluded, report.largest_speed, report.viscous.iterations, report.viscous.residual,
       counts.viscous_retries, report.viscous.capped, report.pressure_sweeps);
-  row += fmt::format("{:.4g},{:.4g},{:.4g},{:.9g},{:.9g},{:.9g}", share(t.resting), share(t.bed_load),
-                     share(t.suspended), ledger.in, ledger.out, ledger.lost);
+  row += fmt::format("{:.4g},{:.4g},{:.4g},{:.9g},{:.9g},{:.9g},{:.12g},{:.9g}", share(t.resting), share(t.bed_load),
+                     share(t.suspended), ledger.in, ledger.out, ledger.lost, t.grain_mass, t.suspended_mass);
   lock_.require_folder();
   history_->add(row);
 }

@@ -123,6 +123,19 @@ void load_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, c
   on.upload(HostBuffer<std::int64_t>(from.id.begin(), from.id.end()), p.id);
 }
 
+/// The grains of the water, from the concentrations of a filled scene; a checkpoint has the grains themselves.
+template <int Dim, class Device>
+void load_grains(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const ParticleSet& from) {
+  const auto known = from.scalars.find(concentration_array);
+  if (known == from.scalars.end() || from.doubles.contains(field::grains.name)) return;
+  HostBuffer<double> grains(from.size(), 0.0);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from.type[i] != ParticleType::water) continue;
+    grains[i] = double(known->second[i]) * double(from.mass[i]) / double(scene.water_density);
+  }
+  on.upload(std::move(grains), p.grains);
+}
+
 /// The numbers of the walls' motions, and the places where they started. Where a file does not know these, walls are
 /// moved back there.
 template <class Device>

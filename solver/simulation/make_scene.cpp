@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/models/suspended_load.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "physics/water/viscosity_switch.hpp"
@@ -101,7 +102,8 @@ void make_flow(const Case& from, const ParticleSet& particles, double sound_spee
   s.viscosity_switch = n.artificial_viscosity > 0 && n.smoothing_ratio >= least_ratio_of_viscosity_switch;
   s.acoustic_damping = static_cast<float>(n.acoustic_damper * sound_speed * h);
   s.cfl = n.cfl;
-  s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0;
+  s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0 ||
+                   models::SuspendedLoadOfWater::is_on(from);
 }
 
 template <int Dim>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "solver/models/suspended_load/grain_sums.hpp"
 #include "solver/passes/diagnostics.hpp"
 #include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/load.hpp"
@@ -32,6 +33,7 @@ class SimulationOn final : public Simulation {
     work_.number = from.info.step;
     work_.population = Population::of(from);
     if (scene_.has_moving_walls) load_motions(on_, p_, motions, from);
+    if (scene_.suspended_load.on) load_grains(on_, p_, scene_, from);
     if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(on_, p_, scene_, listed->second);
@@ -65,7 +67,11 @@ class SimulationOn final : public Simulation {
     return refresh_neighbours(on_, p_, scene_, work_);
   }
 
-  Totals totals() override { return sum_totals(on_, p_, scene_); }
+  Totals totals() override {
+    Totals sums = sum_totals(on_, p_, scene_);
+    add_grain_sums(on_, p_, scene_, sums);
+    return sums;
+  }
   MassLedger ledger() const override { return work_.population.ledger(); }
   const Timing& timing() const override { return timing_; }
   Timing& timing() override { return timing_; }

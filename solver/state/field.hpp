@@ -36,6 +36,7 @@ inline constexpr Field matter{"matter", quad_matter};  // density excess, viscos
 // Arrays that every scene has. A model declares its own fields beside its arrays.
 inline constexpr Field position{"Position"};
 inline constexpr Field mass{"Mass"};
+inline constexpr Field loaded_mass{"LoadedMass"};
 inline constexpr Field id{"Id"};
 inline constexpr Field type{"Type"};
 inline constexpr Field rates{"Rates"};

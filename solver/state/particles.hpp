@@ -39,7 +39,8 @@ struct ParticleCore {
 
   Buffer<Record> record;  // count + 1
   Buffer<Position> position;
-  Buffer<float> mass;  // [kg]
+  Buffer<float> mass;         // [kg]
+  Buffer<float> loaded_mass;  // [kg] with the grains that water carries; empty where it carries none
   Buffer<std::int64_t> id;
   Buffer<std::uint8_t> type;
   Buffer<Rates> rates;
@@ -76,6 +77,7 @@ struct ParticleCore {
   void describe(const Scene& scene, Visitor& v) {
     v.array(field::position, position, sorted | halo, Position{});
     v.array(field::mass, mass, sorted | halo, 0.0F);
+    if (scene.water_has_grains) v.array(field::loaded_mass, loaded_mass, sorted | checkpointed | halo, 0.0F);
     v.array(field::id, id, sorted, std::int64_t{0});
     v.array(field::type, type, sorted, std::uint8_t{0});
     v.array(field::rates, rates, sorted | checkpointed, Rates{});
@@ -83,6 +85,8 @@ struct ParticleCore {
     if (!role.empty()) v.array(field::role, role, sorted | checkpointed, Role::integrated);
   }
 
+  /// The masses that forces accelerate [kg].
+  [[nodiscard]] const float* inertia() const { return loaded_mass.size() == 0 ? mass.data() : loaded_mass.data(); }
   /// nullptr where all particles are integrated.
   [[nodiscard]] const Role* roles() const { return role.size() == 0 ? nullptr : role.data(); }
   /// nullptr where all of the artificial viscosity acts.

@@ -57,6 +57,8 @@ struct Totals {
   double internal_energy = 0;      // [J] of compression; not of sediment at rest, whose pressure does no work on it
   double water_mass = 0;           // [kg]
   double sediment_mass = 0;        // [kg]
+  double grain_mass = 0;           // [kg] of all grains; 0 unless the water carries some (models/suspended_load)
+  double suspended_mass = 0;       // [kg] of the grains that the water carries
   double momentum[3] = {0, 0, 0};  // [kg m/s]
   // Sediment particles: all, at rest, and in the states they may have.
   std::int64_t sediment = 0;
@@ -70,6 +72,8 @@ struct Totals {
     internal_energy += b.internal_energy;
     water_mass += b.water_mass;
     sediment_mass += b.sediment_mass;
+    grain_mass += b.grain_mass;
+    suspended_mass += b.suspended_mass;
     for (int c = 0; c < 3; ++c) momentum[c] += b.momentum[c];
     sediment += b.sediment;
     resting += b.resting;

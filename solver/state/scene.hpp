@@ -35,6 +35,7 @@ struct FlowScene {
   double cfl = 0;
   bool has_sediment = false;
   bool has_drift = false;  // particles may move faster than their velocity says: plus the work quad (models/bed_load)
+  bool water_has_grains = false;  // water carries grains, whose mass it moves too (models/suspended_load)
   bool needs_near_walls = false;  // some model sums over the fluid with walls in reach (Particles::near_walls)
 
   HOST_DEVICE float density_at_rest(float kind) const { return kind > 0.5F ? sediment_density : water_density; }

@@ -195,6 +195,9 @@ TEST(Implementation, SetsDefaultsThatTheCaseMayStillChange) {
   EXPECT_EQ(printed.model.bed_shear, BedShear::paper);
   EXPECT_DOUBLE_EQ(printed.sediment().consistency, 1.54);
   EXPECT_DOUBLE_EQ(printed.sediment().flow_index, 1.8);
+  EXPECT_EQ(printed.model.effective_pressure, EffectivePressure::total);
+  EXPECT_EQ(printed.sediment().bed_density(), printed.sediment().grain_density);
+  EXPECT_LT(ours.sediment().bed_density(), ours.sediment().grain_density);
   const Case mixed =
       read_case(good_case, {"model.implementation=paper", "model.yield_fit=outer", "materials.pvc.flow_index=1"});
   EXPECT_EQ(mixed.model.yield_fit, YieldFit::outer);

@@ -45,6 +45,15 @@ TEST(Material, OfParticlesIsThatOfTheMeshRoundedOnce) {
   EXPECT_EQ(rounded.dynamic_coefficient, static_cast<float>(exact.dynamic_coefficient));
 }
 
+TEST(Material, AsPrintedHasTwiceTheViscosity) {
+  MaterialChoices choices;
+  const auto meant = make_material<double>(sand(), choices);
+  choices.as_printed = true;
+  const auto printed = make_material<double>(sand(), choices);
+  EXPECT_EQ(apparent_viscosity_of(printed, 2.0, 50.0, 100.0, 0.0),
+            2 * apparent_viscosity_of(meant, 2.0, 50.0, 100.0, 0.0));
+}
+
 TEST(Material, OfMohrCoulombHasOneStrengthInPlaneStrain) {
   for (const YieldFit fit :
        {YieldFit::sine, YieldFit::coulomb, YieldFit::outer, YieldFit::inner, YieldFit::plane_strain, YieldFit::paper}) {

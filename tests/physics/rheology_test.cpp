@@ -58,6 +58,8 @@ TEST(DruckerPrager, AgreesWithMohrCoulombOnItsOwnEdges) {
     EXPECT_NEAR(yield_pressure_coefficient(phi, YieldFit::inner), 6 * s / (3 + s) / std::sqrt(3), 1e-12);
     EXPECT_NEAR(yield_cohesion_term(c, phi, YieldFit::outer), 6 * c * std::cos(phi) / (3 - s) / std::sqrt(3), 1e-12);
     EXPECT_NEAR(yield_cohesion_term(c, phi, YieldFit::sine), c * std::cos(phi), 1e-12);
+    EXPECT_NEAR(yield_cohesion_term(c, phi, YieldFit::printed), 6 * c * s / (3 - s) / std::sqrt(3), 1e-12);
+    EXPECT_EQ(yield_pressure_coefficient(phi, YieldFit::printed), yield_pressure_coefficient(phi, YieldFit::paper));
   }
   EXPECT_EQ(yield_pressure_coefficient(0.0, YieldFit::outer), 0);
 }

@@ -66,6 +66,8 @@ struct Seen {
   HostBuffer<BedSurface> bed;
   HostBuffer<PoreState> pores;
   HostBuffer<float> excess_pore_pressure;
+  HostBuffer<double> grains;
+  HostBuffer<Suspended> suspended;
 
   /// Calls visit(copy, the device's array) for every array.
   template <class P, class Visit>
@@ -79,6 +81,8 @@ struct Seen {
     visit(bed, p.bed);
     visit(pores, p.pores);
     visit(excess_pore_pressure, p.excess_pore_pressure);
+    visit(grains, p.grains);
+    visit(suspended, p.suspended);
   }
 };
 

@@ -150,6 +150,18 @@ void share_pressure_of_state(Device& on, Particles<Device>& p, const Scene<Dim>&
               }));
 }
 
+/// Particle pass over the bed: all of the pressure, as the paper prints it.
+template <class Device>
+void take_pressure_of_state(Device& on, Particles<Device>& p) {
+  const Record* records = p.record.data();
+  Sediment* sediment = p.sediment.data();
+  on.for_each(p.fluid_count,
+              declare<Reads<field::flow, field::matter>, Writes<field::sediment>>([=] HOST_DEVICE(Index i) {
+                const Record& r = records[i];
+                if (is_sediment(r)) sediment[i].effective_pressure = r.pressure > 0 ? r.pressure : 0;
+              }));
+}
+
 /// Effective pressure where it changes with every step. Returns the sweeps that Laplace's equation took.
 template <int Dim, class Device>
 int solve_effective_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
@@ -160,6 +172,9 @@ int solve_effective_pressure(Device& on, Particles<Device>& p, const Scene<Dim>&
       return solve_laplace_pressure(on, p, scene);
     case EffectivePressure::eos:
       share_pressure_of_state(on, p, scene);
+      break;
+    case EffectivePressure::total:
+      take_pressure_of_state(on, p);
       break;
   }
   return 0;

@@ -1,19 +1,27 @@
 #pragma once
 
+#include "physics/sediment/dilatancy.hpp"
 #include "physics/sediment/suspension_viscosity.hpp"
 #include "solver/backend/members.hpp"
 #include "solver/models/bed/arrays.hpp"
 #include "solver/models/bed/sediment_law.hpp"
 #include "solver/models/pore_pressure/arrays.hpp"
+#include "solver/models/pore_pressure/scene.hpp"
 #include "solver/models/states/arrays.hpp"
 #include "solver/state/scene.hpp"
 
 namespace thalweg {
 
+/// Strength of the bed's surface over the shear stress of the water on it, where bed load drifts over its skeleton and the
+/// bed is no steeper than grains stand [-]. The water presses on a particle that stands above the others as on a body of
+/// its size, which no grain of the bed is: without more strength than K p_eff it pushes whole particles off a hump,
+/// 8 to 20 times what the law carries. 600 and more hold them at 10 and 5 mm (bench/notes/stepped-hump.md).
+inline constexpr float held_skeleton = 2000;
+
 /// Particle pass: yield stress and apparent viscosity of a deposit; with states, suspended sediment is thickened
 /// water, and bed load that does not drift over a skeleton yields at the stress that moves its grains.
 struct RheologyPass {
-  using reads = Reads<field::matter, field::sediment, field::bed, field::pore_pressure>;
+  using reads = Reads<field::matter, field::sediment, field::bed, field::pore_pressure, field::solids>;
   using writes = Writes<field::matter, field::sediment>;
 
   Record* records;
@@ -21,6 +29,8 @@ struct RheologyPass {
   const BedSurface* bed;  // nullptr: all sediment is deposit
   SedimentScene law;
   const float* excess_pore_pressure;  // [Pa], nullptr where the scene has none
+  const float* solids;                // [-], nullptr where the packing keeps its porosity
+  PoreScene pores;
   float solids_share;
   float einstein_coefficient;
   float water_viscosity;
@@ -40,8 +50,19 @@ struct RheologyPass {
       s.effective_pressure = carried > 0 ? carried : 0;
     }
     s.yield_stress = r.kind == kind::bed_load && !bed_load_drifts ? bed[i].critical_stress : yield_stress_of(law, s);
+    if (bed_load_drifts && s.bed_slope < law.friction_tangent) s.yield_stress += held_skeleton * bed[i].shear_stress;
+    if (solids != nullptr) s.yield_stress += strength_of_dilatancy(s, solids[i]);
     const float apparent = apparent_viscosity_of(law, s);
     r.viscosity = apparent > water_viscosity ? apparent : water_viscosity;
+  }
+
+ private:
+  /// p_eff tan psi, the stress that opens a dense packing; a loose one yields earlier, at nothing less than no stress.
+  [[nodiscard]] HOST_DEVICE float strength_of_dilatancy(const Sediment& s, float share) const {
+    const float steady =
+        steady_solids(pores.critical_solids, pores.water_viscosity, s.strain_rate, s.effective_pressure);
+    const float stress = s.effective_pressure * dilatancy(pores.dilatancy, share, steady);
+    return stress > -s.yield_stress ? stress : -s.yield_stress;
   }
 };
 
@@ -52,6 +73,8 @@ void apply_rheology(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
                           scene.has_states ? p.bed.data() : nullptr,
                           scene.sediment,
                           scene.pores.on ? p.excess_pore_pressure.data() : nullptr,
+                          scene.pores.critical_solids > 0 ? p.solids.data() : nullptr,
+                          scene.pores,
                           scene.erosion.solids_share,
                           scene.erosion.einstein_coefficient,
                           scene.water_viscosity,

@@ -38,7 +38,7 @@ struct BedDragPass {
 
  private:
   [[nodiscard]] HOST_DEVICE float of_settling(const Record& r) const {
-    return r.volume * scene.bed_load.submerged_weight / scene.erosion.settling_velocity;
+    return 20 * r.volume * scene.bed_load.submerged_weight / scene.erosion.settling_velocity;
   }
 
   [[nodiscard]] HOST_DEVICE float of_surface(const Record& r, const BedSurface& s) const {

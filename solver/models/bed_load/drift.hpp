@@ -34,8 +34,16 @@ struct BedLoadDriftPass {
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
-    if (r.kind != kind::bed_load || r.volume == 0) return;
     const BedSurface& s = bed[i];
+    if (r.volume == 0) return;
+    if (is_sediment(r) && s.water_share > 1e-6F && (r.kind == kind::suspended || !(s.settled_share > 1e-3F))) {
+      const float room = 1 - s.settled_share / 0.3F;
+      if (!(room > 0)) return;
+      const float w = 0.95F * scene.erosion.settling_velocity * room;
+      for (int k = 0; k < Dim; ++k) r.work[axis<Dim>(k)] = w * scene.erosion.down[k];
+      return;
+    }
+    if (r.kind != kind::bed_load) return;
     if (!(s.shear_stress > s.critical_stress)) return;
     const Vec<Dim, float> u = speed_along_bed<Dim>(r, s);
     const float speed = sqrtf(dot(u, u));

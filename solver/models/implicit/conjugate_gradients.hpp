@@ -28,7 +28,8 @@ namespace thalweg {
 template <int Dim, bool stored, class Kept, class Row, class Coupling>
 struct ViscousCoefficientSweep {
   using neighbours = typename Coupling::neighbours;
-  using reads = Reads<field::place, field::flow, field::matter, field::mass, field::rates, field::sediment>;
+  using reads =
+      Reads<field::place, field::flow, field::matter, field::mass, field::loaded_mass, field::rates, field::sediment>;
   using writes = VectorField<stored>;
   static constexpr unsigned kernel = Coupling::kernel;
   template <class L>
@@ -187,8 +188,8 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   const int most_iterations = scene.viscous_iterations;
   on.template sweep_then<Dim>(
       list, range, records, scene.metric(),
-      ViscousCoefficientSweep<Dim, stored, Kept, Row, Coupling>{
-          records, p.mass.data(), p.rates.data(), sediment, vector, system.coefficient.data(), rows, coupling, state},
+      ViscousCoefficientSweep<Dim, stored, Kept, Row, Coupling>{records, p.inertia(), p.rates.data(), sediment, vector,
+                                                                system.coefficient.data(), rows, coupling, state},
       viscosity::Norms{}, viscosity::AddNorms{}, [=] HOST_DEVICE(const viscosity::Norms& norms) {
         ViscousState& v = state->viscous;
         v = {};

@@ -15,7 +15,7 @@ namespace thalweg {
 template <int Dim, class Coupling>
 struct ExplicitViscositySweep {
   using neighbours = typename Coupling::neighbours;
-  using reads = Reads<field::mass>;
+  using reads = Reads<field::mass, field::loaded_mass>;
   using writes = Writes<field::rates>;
   static constexpr unsigned kernel = Coupling::kernel;
   template <class L>
@@ -53,7 +53,7 @@ void apply_explicit_viscosity(Device& on, Particles<Device>& p, const Scene<Dim>
                               const Coupling& coupling) {
   Record* records = p.record.data();
   Rates* rates = p.rates.data();
-  sweep(on, p, scene, p.near_sediment(), ExplicitViscositySweep<Dim, Coupling>{rates, p.mass.data(), coupling, state});
+  sweep(on, p, scene, p.near_sediment(), ExplicitViscositySweep<Dim, Coupling>{rates, p.inertia(), coupling, state});
   for_each_member(on, p.list(), p.near_sediment(),
                   declare<Reads<field::flow, field::rates>, Writes<field::flow>>([=] HOST_DEVICE(Index i) {
                     for (int c = 0; c < 3; ++c) records[i].velocity[c] += rates[i].acceleration[c];

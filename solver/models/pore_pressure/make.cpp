@@ -18,6 +18,13 @@ void PoreModel::make(const SceneSource& from, Scene<Dim>& scene) {
       hydraulic_conductivity(permeability(s.porosity, s.grain_diameter), water.density, water.viscosity, g);
   law.consolidation =
       static_cast<float>(consolidation_coefficient(conductivity, s.oedometer_modulus, water.density * g));
+  if (s.critical_porosity > 0) {
+    law.critical_solids = static_cast<float>(1 - s.critical_porosity);
+    law.dilatancy = static_cast<float>(s.dilatancy);
+    law.modulus = static_cast<float>(s.oedometer_modulus);
+    law.solids_at_start = static_cast<float>(1 - s.porosity);
+    law.water_viscosity = static_cast<float>(water.viscosity);
+  }
   law.stiffness = static_cast<float>(s.bed_density() * from.sound_speed * from.sound_speed);
 }
 

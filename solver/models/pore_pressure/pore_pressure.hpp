@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "physics/sediment/dilatancy.hpp"
 #include "physics/seepage/consolidation.hpp"
+#include "solver/models/bed/arrays.hpp"
 #include "solver/models/pore_pressure/arrays.hpp"
 #include "solver/passes/sweep.hpp"
 #include "solver/state/step_state.hpp"
@@ -113,6 +115,31 @@ double explicit_diffusion_step(const Scene<Dim>& scene) {
   return scene.smoothing_length * scene.smoothing_length / (largest_row * double(scene.pores.consolidation));
 }
 
+/// Particle pass: the change of a packing that is sheared, and the water that it sucks in or presses out,
+///   d phi/dt = -phi gdot tan psi,   dp_e/dt = -M gdot tan psi
+/// M the modulus of the packing (dilatancy.hpp).
+struct DilationPass {
+  using reads = Reads<field::matter, field::sediment, field::solids, field::pore_pressure>;
+  using writes = Writes<field::solids, field::pore_pressure>;
+
+  const Record* records;
+  const Sediment* sediment;
+  float* solids;
+  float* pressure;
+  PoreScene law;
+  const StepState* state;
+
+  HOST_DEVICE void operator()(Index i) const {
+    if (!is_sediment(records[i]) || is_resting(records[i])) return;
+    const Sediment& s = sediment[i];
+    const float steady = steady_solids(law.critical_solids, law.water_viscosity, s.strain_rate, s.effective_pressure);
+    const float opens =
+        static_cast<float>(state->step.dt) * s.strain_rate * dilatancy(law.dilatancy, solids[i], steady);
+    pressure[i] -= law.modulus * opens;
+    solids[i] -= solids[i] * opens;
+  }
+};
+
 /// The whole step: source, then diffusion, in as many stages as a step of `longest` [s] would need.
 /// excess_pore_pressure of particles other than sediment stays 0.
 template <int Dim, class Device>
@@ -128,6 +155,9 @@ void advance_pore_pressure(Device& on, Particles<Device>& p, const Scene<Dim>& s
                     const auto source = static_cast<float>(stiffness * state->step.dt);
                     if (is_sediment(records[i])) pressure[i] += source * rates[i].excess_rate;
                   }));
+  if (scene.pores.critical_solids > 0) {
+    on.for_each(p.fluid_count, DilationPass{records, p.sediment.data(), p.solids.data(), pressure, scene.pores, state});
+  }
   diffusion.stages = 0;
   if (!(scene.pores.consolidation > 0)) return;
   diffusion.loss.resize(p.count);

@@ -56,6 +56,7 @@ struct StatePass {
     if (!is_sediment(r)) return false;
     BedSurface& s = bed[i];
     const ErosionScene<Dim>& law = scene.erosion;
+    const float last_critical = s.critical_stress;
     s.shear_stress = s.critical_stress = 0;
     const bool moving = r.kind == kind::bed_load || r.kind == kind::suspended;
     const bool at_water = s.water_share > 0;
@@ -73,6 +74,8 @@ struct StatePass {
     if (surface) shields = shields_of(s, of_bed ? pick<Dim>(s.bed_velocity) : u);
     s.shear_stress = shields.stress;
     s.critical_stress = shields.critical_stress;
+    // The print's bed load that is buried goes on to yield at the last stress that could move it.
+    if (law.as_printed && !surface) s.critical_stress = last_critical;
     if (r.kind == kind::bed_load) {
       r.kind = from_bed_load(s, surface, over_bed, shields);
       return false;
@@ -103,18 +106,18 @@ struct StatePass {
     const Vec<Dim, float> water = pick<Dim>(s.water_velocity);
     Shields out;
     float friction = 0;  // u* [m/s]
+    const float nu = scene.water_viscosity / scene.water_density;
     if (law.bed_shear == BedShear::paper) {
       // As printed: the sum over the water without dividing by its share.
       const Vec<Dim, float> du = tangential(s.water_share * water - u, n);
       out.stress = bed_shear_stress_of_difference(scene.water_density, sqrtf(dot(du, du)));
-      friction = sqrtf(out.stress / scene.water_density);
+      // The grain Reynolds number takes the friction velocity of the logarithmic law, (17) to (19).
+      const Vec<Dim, float> mean = tangential(water - u, n);
+      friction = friction_velocity(sqrtf(dot(mean, mean)), height_of_water(s), nu, law.roughness).friction_velocity;
     } else {
       const Vec<Dim, float> du = tangential(water - u, n);
       const auto dp = static_cast<float>(scene.spacing);
-      const float least = 0.5F * dp;
-      const float z =
-          s.water_height > least ? (s.water_height < scene.support() ? s.water_height : scene.support()) : least;
-      const float nu = scene.water_viscosity / scene.water_density;
+      const float z = height_of_water(s);
       const float speed = sqrtf(dot(du, du));
       const float mean = s.water_height > 0.1F * dp ? s.water_height : 0.1F * dp;
       friction = law.by_law ? wall_friction_velocity(speed, mean, s.log_height, nu, law.roughness)
@@ -130,6 +133,13 @@ struct StatePass {
     out.critical_stress = k * critical_stress_of_flat_bed(out.critical_number, law.grain_weight);
     if (law.by_law) out.critical_stress += law.cohesion;
     return out;
+  }
+
+  /// Mean height of the water over the bed, between half a spacing and the support [m].
+  [[nodiscard]] HOST_DEVICE float height_of_water(const BedSurface& s) const {
+    const float least = 0.5F * static_cast<float>(scene.spacing);
+    if (!(s.water_height > least)) return least;
+    return s.water_height < scene.support() ? s.water_height : scene.support();
   }
 
   HOST_DEVICE static Vec<Dim, float> tangential(const Vec<Dim, float>& v, const Vec<Dim, float>& n) {

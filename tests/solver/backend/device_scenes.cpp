@@ -61,6 +61,22 @@ DeviceScene drifting() {
   return s;
 }
 
+/// The same with water that carries grains, some of it packed.
+DeviceScene loaded() {
+  DeviceScene s = drifting();
+  s.name = "grains in the water";
+  Scene<2>& scene = plane(s);
+  scene.water_has_grains = true;
+  const auto dp = static_cast<float>(scene.spacing);
+  scene.suspended_load = {true, PickUp::van_rijn, 0.1365F, 0.54F, 0.53F, 3.5e-3F, 1e-5F, 1, dp, 0.2F};
+  std::vector<double>& grains = s.particles.doubles[field::grains.name];
+  for (std::size_t i = 0; i < s.particles.size(); ++i) {
+    const bool water = s.particles.type[i] == ParticleType::water;
+    grains.push_back(water ? (i % 11 == 0 ? 0.5 : 0.02) * double(s.particles.mass[i]) / 1000 : 0);
+  }
+  return s;
+}
+
 /// Three states between a wall that pushes and one that turns, partly out of the domain.
 DeviceScene pushed() {
   DeviceScene s = eroding();
@@ -127,6 +143,7 @@ std::vector<DeviceScene> device_scenes() {
           tank<3>("slump in space"),
           eroding(),
           drifting(),
+          loaded(),
           pushed(),
           mixture(),
           with(slump, "pressure from Laplace's equation",

@@ -191,6 +191,36 @@ TYPED_TEST(BedStates, LiftADiluteGrainAndLetItSettle) {
   EXPECT_EQ(kind_at(printed, 0.05F, 0.05F), kind::bed_load);
 }
 
+// As printed, bed load that is buried goes on to yield at the last stress that could move it; ours is a deposit.
+TYPED_TEST(BedStates, KeepTheLastCriticalStressOfPrintedBedLoadThatIsBuried) {
+  Scene<2> printed = eroding_scene();
+  printed.erosion.as_printed = true;
+  auto l = load_bed<TypeParam>(printed, 0.6F);
+  const Index top = top_of(test::look(l));
+  const float at_surface = update_states(l, printed, 1e-4).bed[top].critical_stress;
+  EXPECT_EQ(test::look(l).record[top].kind, kind::bed_load);
+  EXPECT_GT(at_surface, 0);
+  l.scene.erosion.surface_fill = 0.1F;  // no particle is surface any more
+  const test::Seen buried = update_states(l, l.scene, 1e-4);
+  EXPECT_EQ(buried.record[top].kind, kind::bed_load);
+  EXPECT_EQ(buried.bed[top].critical_stress, at_surface);
+}
+
+// The print takes its shear stress from (20) and the grain Reynolds number from (17) to (19), the logarithmic law.
+TYPED_TEST(BedStates, TakeThePrintedGrainReynoldsNumberFromTheLogarithmicLaw) {
+  Scene<2> printed = eroding_scene();
+  printed.erosion.as_printed = true;
+  printed.erosion.bed_shear = BedShear::paper;
+  auto l = load_bed<TypeParam>(printed, 0.05F);
+  const Index top = top_of(test::look(l));
+  const BedSurface s = update_states(l, printed, 1e-4).bed[top];
+  const ErosionScene<2>& law = printed.erosion;
+  const float z = std::max(s.water_height, 0.5F * static_cast<float>(printed.spacing));
+  const float u = friction_velocity(0.05F, z, 1e-6F, law.roughness).friction_velocity;
+  const float due = critical_shields_number(u * law.diameter / 1e-6F) * law.grain_weight;
+  EXPECT_NEAR(s.critical_stress / due, 1, 0.02);  // the slope factor of a nearly flat bed
+}
+
 TYPED_TEST(BedStates, TakeTheNearestWaterWhenAskedTo) {
   Scene<2> scene = eroding_scene();
   scene.erosion.bed_shear = BedShear::nearest;

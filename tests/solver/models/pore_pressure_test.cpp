@@ -120,6 +120,40 @@ TYPED_TEST(PorePressure, TakesStepsFarBeyondTheExplicitLimit) {
   EXPECT_LT(error_of(make_layer<TypeParam>(20, Above::water, 0), 100), 0.02);
 }
 
+// A dense bed that is sheared evenly sucks water in from above: c_v p_e" = M gdot tan psi, p_e = 0 on top, no flow below,
+// p_e = -(M gdot tan psi/c_v) (H x - x^2/2) at the depth x. A loose one has the same with the other sign.
+TYPED_TEST(PorePressure, OfADenseBedThatIsShearedIsSuction) {
+  for (const float more : {0.02F, -0.02F}) {
+    auto layer = make_layer<TypeParam>(20, Above::water, 0);
+    test::Loaded<2, TypeParam>& l = layer.l;
+    PoreScene& law = l.scene.pores;
+    law.critical_solids = 0.58F;
+    law.dilatancy = 4.09F;
+    law.modulus = 1e5F;
+    constexpr float rate = 1e-4F;  // [1/s] so slow that the packing stays
+    l.on.fill(l.p.solids, l.p.count, 0.58F + more);
+    test::change(l, [&](test::Seen& seen) {
+      for (Index i = 0; i < seen.count; ++i) {
+        seen.sediment[i].strain_rate = rate;
+        seen.sediment[i].effective_pressure = 1e9F;  // I_v = 0
+        seen.excess_pore_pressure[i] = 0;
+      }
+    });
+    const double end = 3 * height * height / consolidation;
+    advance_by(l, l.scene, layer.diffusion, end / 300, 300);
+    const test::Seen seen = test::look(l);
+    const double scale = 1e5 * double(rate) * 4.09 * double(more) / consolidation;
+    for (Index i = 0; i < seen.fluid_count; ++i) {
+      if (!is_sediment(seen.record[i])) continue;
+      const double x = height - seen.position[i].x[2];
+      EXPECT_NEAR(seen.excess_pore_pressure[i], -scale * (height * x - x * x / 2),
+                  0.05 * std::abs(scale) * height * height / 2);
+    }
+    const float opens = 1e-4F * static_cast<float>(end) * 4.09F * more;
+    EXPECT_NEAR(test::copy_of(l.on, l.p.solids)[seen.fluid_count / 2], (0.58F + more) * (1 - opens), 2e-5F);
+  }
+}
+
 TYPED_TEST(PorePressure, IsKeptByASealedBed) {
   // Filled to the top of the support by walls there is no loss, and the sum over the volumes stays.
   test::LatticeSetup<2> setup;

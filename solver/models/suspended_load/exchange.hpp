@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cmath>
+
+#include "physics/transport/lift_settling.hpp"
+#include "physics/transport/suspended_load.hpp"
+#include "solver/models/states/bed_states.hpp"
+#include "solver/models/suspended_load/arrays.hpp"
+#include "solver/models/suspended_load/scene.hpp"
+
+// Grains between the bed and the water over it.
+namespace thalweg {
+
+/// Particle pass: the concentration that a particle of the bed's surface holds ready at the reference level, the pick-up
+/// over the settling velocity C_r = E/w, the friction velocity, and its area at the water. A particle that has no grains
+/// left holds none ready.
+template <int Dim>
+struct BedSourcePass {
+  using reads = Reads<field::matter, field::bed>;
+  using writes = Writes<field::suspended>;
+
+  const Record* records;
+  const BedSurface* bed;
+  Suspended* suspended;
+  Scene<Dim> scene;
+
+  HOST_DEVICE void operator()(Index i) const {
+    const Record& r = records[i];
+    Suspended& out = suspended[i];
+    out.reference = out.friction = out.exposed = 0;
+    if (!is_sediment(r) || r.volume == 0) return;
+    const BedSurface& s = bed[i];
+    const SuspendedLoadConstants& law = scene.suspended_load;
+    const bool in_bed = r.kind != kind::suspended && s.settled_share > 1e-3F;
+    const bool surface = s.water_share > 1e-6F && s.fill < scene.erosion.surface_fill + scene.erosion.fill_hysteresis;
+    if (!in_bed || !surface) return;
+    out.exposed = law.area * (s.water_share < law.contact ? 1 / law.contact : 1 / s.water_share);
+    if (!(s.shear_stress > 0) || !(out.concentration > 0)) return;
+    out.friction = sqrtf(s.shear_stress / scene.water_density);
+    const float ready = pick_up(s) / law.settling_velocity;
+    out.reference = ready < law.packing ? ready : law.packing;
+  }
+
+ private:
+  /// Volume of grains that leaves the bed [m/s].
+  [[nodiscard]] HOST_DEVICE float pick_up(const BedSurface& s) const {
+    const ErosionScene<Dim>& grains = scene.erosion;
+    const float theta = s.shear_stress / grains.grain_weight;
+    const float critical = s.critical_stress / grains.grain_weight;
+    switch (scene.suspended_load.pick_up) {
+      case PickUp::van_rijn:
+        return van_rijn_pick_up(theta, critical, grains.dimensionless_diameter, grains.diameter, grains.grain_density,
+                                scene.water_density, grains.gravity);
+      case PickUp::mastbergen:
+        return lift_velocity(theta, critical, grains.dimensionless_diameter, grains.diameter, grains.grain_density,
+                             scene.water_density, grains.gravity);
+    }
+    return 0;
+  }
+};
+
+/// Particle pass over bed and water alike: the grains that they exchange. A particle b of the bed gives to water a
+///   dG_a/dt = A V_a W_ab/S J,   S = sum over water of V W
+/// J of flux_from_bed() at the height of the water over the surface; what the water gains the bed loses, pair by pair.
+template <int Dim>
+struct BedExchangePass {
+  using neighbours = Neighbours<field::place, field::matter, field::bed, field::suspended>;
+  using reads = Reads<field::place, field::matter, field::bed, field::suspended, field::grains>;
+  using writes = Writes<field::grains>;
+
+  const Record* records;
+  const BedSurface* bed;
+  const Suspended* suspended;
+  double* grains;
+  ClusterList list;
+  const StepState* state;
+  Scene<Dim> scene;
+
+  HOST_DEVICE void operator()(Index i) const {
+    if (records[i].volume == 0) return;
+    const bool water = is_water(records[i]);
+    if (!water && !(suspended[i].exposed > 0)) return;
+    double gain = 0;
+    const Index cluster = i / cluster_size;
+    for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
+      const Index j = list.entries[e];
+      if (j == list.count || records[j].volume == 0) continue;
+      if (water && is_sediment(records[j]) && suspended[j].exposed > 0) gain += double(flux(j, i));
+      if (!water && is_water(records[j])) gain -= double(flux(i, j));
+    }
+    if (gain != 0) grains[i] += state->step.dt * gain;
+  }
+
+ private:
+  /// Volume of grains that goes from particle b of the bed to water a [m^dim/s].
+  [[nodiscard]] HOST_DEVICE float flux(Index b, Index a) const {
+    Vec<Dim, float> r{};
+    for (int k = 0; k < Dim; ++k)
+      r[k] = scene.distance(k, records[a].place[axis<Dim>(k)], records[b].place[axis<Dim>(k)]);
+    const float r2 = dot(r, r);
+    if (!(r2 < scene.support() * scene.support())) return 0;
+    const SuspendedLoadConstants& law = scene.suspended_load;
+    const float C = suspended[a].concentration;
+    const Suspended& of = suspended[b];
+    const float least = 0.25F * static_cast<float>(scene.spacing);  // the lowest water lies half a spacing high
+    const float over = dot(r, bed_states::pick<Dim>(bed[b].normal)) - 2 * least;
+    const float height = over > least ? over : least;
+    const float J = flux_from_bed(of.reference, C, law.settling_velocity * hindered_share(C), of.friction, height,
+                                  law.reference_level);
+    return of.exposed * records[a].volume * scene.kernel.value(scene.kernel.closeness(sqrtf(r2))) * J;
+  }
+};
+
+/// Exchanges grains between bed and water for the time of the step.
+template <int Dim, class Device>
+void exchange_with_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state) {
+  on.for_each(p.fluid_count, BedSourcePass<Dim>{p.record.data(), p.bed.data(), p.suspended.data(), scene});
+  using Pass = BedExchangePass<Dim>;
+  const Pass pass{p.record.data(), p.bed.data(), p.suspended.data(), p.grains.data(), p.list(), state, scene};
+  on.for_each(p.fluid_count, declare<typename Pass::neighbours, typename Pass::reads, typename Pass::writes>(
+                                 [=] HOST_DEVICE(Index i) { pass(i); }));
+}
+
+}  // namespace thalweg

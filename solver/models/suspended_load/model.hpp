@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "solver/models/suspended_load/bed_change.hpp"
+#include "solver/models/suspended_load/exchange.hpp"
+#include "solver/models/suspended_load/scene.hpp"
+#include "solver/models/suspended_load/settling.hpp"
+
+namespace thalweg {
+
+struct SceneSource;
+
+/// Grains that the water carries as a concentration: [suspended_load].
+struct SuspendedLoadModel {
+  template <int Dim>
+  using Parameters = SuspendedLoadScene<Dim>;
+  template <class Device>
+  using Arrays = SuspendedLoadArrays<Device>;
+  static constexpr const char* heading = "carry_suspended_load";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
+
+  template <class Scene>
+  static constexpr bool is_on(const Scene& scene) {
+    return scene.suspended_load.on;
+  }
+  template <class Device, class Scene>
+  static void before_lists(Device& on, Particles<Device>& p, const Scene& scene) {
+    change_bed(on, p, scene);
+  }
+  template <class C>
+  static void at_start(C& step) {
+    find_concentrations(step.on, step.p, step.scene);
+  }
+  template <class C>
+  static void add_forces(C& step) {
+    add_mixture_forces(step.on, step.p, step.scene);
+  }
+  template <class C>
+  static void after_step(C& step) {
+    auto& p = step.p;
+    const SubParticle* eddies = step.scene.sub_particle_stress ? p.sub_particle.data() : nullptr;
+    step.on.for_each(p.fluid_count,
+                     DiffusivityPass<C::dimension>{p.record.data(), eddies, p.suspended.data(), step.scene});
+    settle(step.on, p, step.scene, step.state);
+    exchange_with_bed(step.on, p, step.scene, step.state);
+  }
+  /// Particles become of another kind where the lists are made anew, which in still water is hardly ever.
+  template <class C>
+  static void after_reading(C& step) {
+    constexpr std::int64_t interval = 100;  // steps
+    if (step.now.number % interval == 0) step.now.squared_drift = INFINITY;
+  }
+};
+
+}  // namespace thalweg
