@@ -46,20 +46,21 @@ HOST_DEVICE inline L flux_of_grains(const L& C_a, const L& C_b, const L& s, cons
 }
 
 /// Volume flux of grains out of a bed [m/s] to water at the height z over it, negative if more settle:
-///   J = w (C_r e^-q - C)/(1 - e^-q),   e^-q = (a/z)^P,   P = w/(kappa u*)
+///   J = w (C_r e^-q - C)/(1 - e^-q),   e^-q = (a s/z)^P,   P = w/(kappa u*)
 /// the flux that does not change between the level a, where the concentration is C_r, and z, in eddies of the
-/// diffusivity kappa u* z that the wall makes. Limits: without eddies (u* -> 0) grains settle, J = -w C; in strong ones
-/// J = kappa u* (C_r - C)/ln(z/a); J = 0 for Rouse's profile C = C_r (a/z)^P.
-/// C_r, C [-]; w, u* [m/s]; z >= a > 0 [m].
+/// diffusivity kappa u* z (1 - z/h) of a channel; s = 1 - z/h is their share of kappa u* z. Limits: without eddies
+/// (u* -> 0) grains settle, J = -w C; in strong ones J = kappa u* (C_r - C)/ln(z/(a s)); J = 0 for Rouse's profile.
+/// C_r, C [-]; w, u* [m/s]; z >= a > 0 [m], a much less than h.
 template <class Real>
-HOST_DEVICE inline Real flux_from_bed(Real C_r, Real C, Real w, Real friction_velocity, Real z, Real a) {
+HOST_DEVICE inline Real flux_from_bed(Real C_r, Real C, Real w, Real friction_velocity, Real z, Real a, Real s = 1) {
   using std::exp;
   using std::expm1;
   using std::log;
-  const Real mixing = Real(0.41) * friction_velocity * log(z > Real(1.01) * a ? z / a : Real(1.01));
-  const Real strong = Real(80);  // e^-q is no number of single precision any more
-  if (!(w < strong * mixing)) return -w * C;
-  const Real q = w / mixing;
+  const Real settles = w * log((z > Real(1.01) * a ? z / a : Real(1.01)) / s);
+  const Real mixing = Real(0.41) * friction_velocity;
+  const Real most = Real(80);  // e^-q is no number of single precision beyond
+  if (!(settles < most * mixing)) return -w * C;
+  const Real q = settles / mixing;
   return w * (C_r * exp(-q) - C) / -expm1(-q);
 }
 

@@ -6,6 +6,7 @@
 #include "physics/seepage/consolidation.hpp"
 #include "solver/models/bed/arrays.hpp"
 #include "solver/models/pore_pressure/arrays.hpp"
+#include "solver/models/pore_pressure/scene.hpp"
 #include "solver/passes/sweep.hpp"
 #include "solver/state/step_state.hpp"
 

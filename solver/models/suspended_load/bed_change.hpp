@@ -17,6 +17,8 @@ namespace bed_change {
 inline constexpr float most_surplus = 0.5F;
 /// Of a packed bed's concentration: water that holds so much and touches a bed or a wall is bed.
 inline constexpr float packed_share = 0.75F;
+/// Of the grains of a packed particle: with so few left, a particle of the bed is water.
+inline constexpr float least_left = 0.02F;
 /// Of the spacing: how far particles lie apart that touch.
 inline constexpr float touch = 1.4F;
 }  // namespace bed_change
@@ -112,8 +114,8 @@ struct BecomeBedPass {
   }
 };
 
-/// Particle pass over the bed: those that gave grains away have what is packed; one that has lost all of its grains is
-/// water.
+/// Particle pass over the bed: those that gave grains away have what is packed; one that has lost its grains is water, with
+/// the few that are left.
 template <int Dim>
 struct LeaveBedPass {
   using reads = Reads<field::place, field::matter, field::mass, field::receiver, field::grains>;
@@ -131,8 +133,9 @@ struct LeaveBedPass {
     Record& r = records[i];
     if (!is_sediment(r) || r.volume == 0) return;
     if (receiver[i] != none && receiver[i] != i) grains[i] = 0;
-    const double left = grains[i] + packed_grains(scene, r, mass[i]);
-    if (left > 0) return;
+    const double packed = packed_grains(scene, r, mass[i]);
+    const double left = grains[i] + packed;
+    if (left > bed_change::least_left * packed) return;
     grains[i] = left;
     const float lighter = scene.water_density / scene.sediment_density;
     mass[i] *= lighter;

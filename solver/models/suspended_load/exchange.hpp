@@ -6,22 +6,51 @@
 #include "physics/transport/suspended_load.hpp"
 #include "solver/models/states/bed_states.hpp"
 #include "solver/models/suspended_load/arrays.hpp"
+#include "solver/models/suspended_load/bed_change.hpp"
 #include "solver/models/suspended_load/scene.hpp"
 
 // Grains between the bed and the water over it.
 namespace thalweg {
 
+/// The place of water over a particle of the bed.
+struct OverBed {
+  float weight = 0;  // of the water among all that the particle exchanges grains with [-]; 0: none
+  float height = 0;  // over the surface [m]
+};
+
+/// Water a over the particle b of the bed. Grains are exchanged with the layer next to the surface,
+///   weight V_a W_ab max(0, 1 - z/(1.5 dp)),
+/// because the eddies above are those of the whole depth, which a particle of the bed does not know.
+template <int Dim>
+HOST_DEVICE inline OverBed place_over_bed(const Record& a, const Record& b, const BedSurface& surface,
+                                          const Scene<Dim>& scene) {
+  Vec<Dim, float> r{};
+  for (int k = 0; k < Dim; ++k) r[k] = scene.distance(k, a.place[axis<Dim>(k)], b.place[axis<Dim>(k)]);
+  const float r2 = dot(r, r);
+  if (!(r2 < scene.support() * scene.support())) return {};
+  const auto dp = static_cast<float>(scene.spacing);
+  const float least = 0.25F * dp;  // the lowest water lies half a spacing high
+  const float over = dot(r, bed_states::pick<Dim>(surface.normal)) - 0.5F * dp;
+  OverBed out;
+  out.height = over > least ? over : least;
+  const float near = 1 - out.height / (1.5F * dp);
+  if (near > 0) out.weight = near * a.volume * scene.kernel.value(scene.kernel.closeness(sqrtf(r2)));
+  return out;
+}
+
 /// Particle pass: the concentration that a particle of the bed's surface holds ready at the reference level, the pick-up
-/// over the settling velocity C_r = E/w, the friction velocity, and its area at the water. A particle that has no grains
-/// left holds none ready.
+/// over the settling velocity C_r = E/w, the friction velocity, and its area over the weight of the water next to it. A
+/// particle that has no grains left holds none ready.
 template <int Dim>
 struct BedSourcePass {
-  using reads = Reads<field::matter, field::bed>;
+  using neighbours = Neighbours<field::place, field::matter>;
+  using reads = Reads<field::place, field::matter, field::bed>;
   using writes = Writes<field::suspended>;
 
   const Record* records;
   const BedSurface* bed;
   Suspended* suspended;
+  ClusterList list;
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
@@ -34,14 +63,28 @@ struct BedSourcePass {
     const bool in_bed = r.kind != kind::suspended && s.settled_share > 1e-3F;
     const bool surface = s.water_share > 1e-6F && s.fill < scene.erosion.surface_fill + scene.erosion.fill_hysteresis;
     if (!in_bed || !surface) return;
-    out.exposed = law.area * (s.water_share < law.contact ? 1 / law.contact : 1 / s.water_share);
-    if (!(s.shear_stress > 0) || !(out.concentration > 0)) return;
+    const float weight = weight_of_water(i);
+    if (!(weight > 0)) return;
+    const float wet = s.water_share < law.contact ? s.water_share / law.contact : 1;
+    out.exposed = law.area * wet / weight;
+    if (!(s.shear_stress > 0) || !(out.concentration > bed_change::least_left)) return;
     out.friction = sqrtf(s.shear_stress / scene.water_density);
     const float ready = pick_up(s) / law.settling_velocity;
     out.reference = ready < law.packing ? ready : law.packing;
   }
 
  private:
+  [[nodiscard]] HOST_DEVICE float weight_of_water(Index i) const {
+    float sum = 0;
+    const Index cluster = i / cluster_size;
+    for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
+      const Index j = list.entries[e];
+      if (j == list.count || records[j].volume == 0 || !is_water(records[j])) continue;
+      sum += place_over_bed(records[j], records[i], bed[i], scene).weight;
+    }
+    return sum;
+  }
+
   /// Volume of grains that leaves the bed [m/s].
   [[nodiscard]] HOST_DEVICE float pick_up(const BedSurface& s) const {
     const ErosionScene<Dim>& grains = scene.erosion;
@@ -60,7 +103,7 @@ struct BedSourcePass {
 };
 
 /// Particle pass over bed and water alike: the grains that they exchange. A particle b of the bed gives to water a
-///   dG_a/dt = A V_a W_ab/S J,   S = sum over water of V W
+///   dG_a/dt = A J weight_a/sum of the weights
 /// J of flux_from_bed() at the height of the water over the surface; what the water gains the bed loses, pair by pair.
 template <int Dim>
 struct BedExchangePass {
@@ -94,27 +137,28 @@ struct BedExchangePass {
  private:
   /// Volume of grains that goes from particle b of the bed to water a [m^dim/s].
   [[nodiscard]] HOST_DEVICE float flux(Index b, Index a) const {
-    Vec<Dim, float> r{};
-    for (int k = 0; k < Dim; ++k)
-      r[k] = scene.distance(k, records[a].place[axis<Dim>(k)], records[b].place[axis<Dim>(k)]);
-    const float r2 = dot(r, r);
-    if (!(r2 < scene.support() * scene.support())) return 0;
+    const OverBed over = place_over_bed(records[a], records[b], bed[b], scene);
+    if (!(over.weight > 0)) return 0;
     const SuspendedLoadConstants& law = scene.suspended_load;
     const float C = suspended[a].concentration;
     const Suspended& of = suspended[b];
-    const float least = 0.25F * static_cast<float>(scene.spacing);  // the lowest water lies half a spacing high
-    const float over = dot(r, bed_states::pick<Dim>(bed[b].normal)) - 2 * least;
-    const float height = over > least ? over : least;
-    const float J = flux_from_bed(of.reference, C, law.settling_velocity * hindered_share(C), of.friction, height,
-                                  law.reference_level);
-    return of.exposed * records[a].volume * scene.kernel.value(scene.kernel.closeness(sqrtf(r2))) * J;
+    // Where a model of turbulence knows the eddies, their share says how deep the water is; else it counts as deep.
+    const float of_wall = 0.41F * of.friction * over.height;
+    const float known = suspended[a].diffusivity;
+    const float share = known > 0.5F * of_wall && known < of_wall ? known / of_wall : 1;
+    const float J = flux_from_bed(of.reference, C, law.settling_velocity * hindered_share(C), of.friction, over.height,
+                                  law.reference_level, share);
+    return of.exposed * over.weight * J;
   }
 };
 
 /// Exchanges grains between bed and water for the time of the step.
 template <int Dim, class Device>
 void exchange_with_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state) {
-  on.for_each(p.fluid_count, BedSourcePass<Dim>{p.record.data(), p.bed.data(), p.suspended.data(), scene});
+  using Source = BedSourcePass<Dim>;
+  const Source source{p.record.data(), p.bed.data(), p.suspended.data(), p.list(), scene};
+  on.for_each(p.fluid_count, declare<typename Source::neighbours, typename Source::reads, typename Source::writes>(
+                                 [=] HOST_DEVICE(Index i) { source(i); }));
   using Pass = BedExchangePass<Dim>;
   const Pass pass{p.record.data(), p.bed.data(), p.suspended.data(), p.grains.data(), p.list(), state, scene};
   on.for_each(p.fluid_count, declare<typename Pass::neighbours, typename Pass::reads, typename Pass::writes>(
