@@ -12,12 +12,6 @@
 
 namespace thalweg {
 
-/// Strength of the bed's surface over the shear stress of the water on it, where bed load drifts over its skeleton and the
-/// bed is no steeper than grains stand [-]. The water presses on a particle that stands above the others as on a body of
-/// its size, which no grain of the bed is: without more strength than K p_eff it pushes whole particles off a hump,
-/// 8 to 20 times what the law carries. 600 and more hold them at 10 and 5 mm (bench/notes/stepped-hump.md).
-inline constexpr float held_skeleton = 2000;
-
 /// Particle pass: yield stress and apparent viscosity of a deposit; with states, suspended sediment is thickened
 /// water, and bed load that does not drift over a skeleton yields at the stress that moves its grains.
 struct RheologyPass {
@@ -50,7 +44,6 @@ struct RheologyPass {
       s.effective_pressure = carried > 0 ? carried : 0;
     }
     s.yield_stress = r.kind == kind::bed_load && !bed_load_drifts ? bed[i].critical_stress : yield_stress_of(law, s);
-    if (bed_load_drifts && s.bed_slope < law.friction_tangent) s.yield_stress += held_skeleton * bed[i].shear_stress;
     if (solids != nullptr) s.yield_stress += strength_of_dilatancy(s, solids[i]);
     const float apparent = apparent_viscosity_of(law, s);
     r.viscosity = apparent > water_viscosity ? apparent : water_viscosity;

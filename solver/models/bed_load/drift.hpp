@@ -4,6 +4,7 @@
 
 #include "physics/transport/bed_load_drift.hpp"
 #include "solver/models/bed_load/arrays.hpp"
+#include "solver/models/bed_load/drag.hpp"
 #include "solver/models/bed_load/scene.hpp"
 #include "solver/models/states/bed_states.hpp"
 #include "solver/passes/integrate.hpp"
@@ -12,7 +13,7 @@
 // deposit; places move, and densities change, with velocity plus drift.
 namespace thalweg {
 
-/// Particle pass over the surface of the bed: the drift u_d of bed load, into the work quad, from that of the last step.
+/// Particle pass: the drift of parcels in suspension, sink(), and over the surface of the bed the drift u_d of bed load, into the work quad, from that of the last step.
 ///   target   q_b(theta, theta_cr)/((1 - n) dp) along the water's velocity over the bed (bed_load_drift.hpp)
 ///   u_d      (1 - f) target + f sum_b w u_d,b/sum_b w,  w = V_b W (r.e)+ over the surface upstream, where a bed that
 ///            does not move, or a wall, sends nothing;  f = L/(L + l),  l = sum w (r.e)/sum w
@@ -34,15 +35,9 @@ struct BedLoadDriftPass {
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
-    const BedSurface& s = bed[i];
     if (r.volume == 0) return;
-    if (is_sediment(r) && s.water_share > 1e-6F && (r.kind == kind::suspended || !(s.settled_share > 1e-3F))) {
-      const float room = 1 - s.settled_share / 0.3F;
-      if (!(room > 0)) return;
-      const float w = 0.95F * scene.erosion.settling_velocity * room;
-      for (int k = 0; k < Dim; ++k) r.work[axis<Dim>(k)] = w * scene.erosion.down[k];
-      return;
-    }
+    const BedSurface& s = bed[i];
+    if (is_in_suspension(r, s)) return sink(r, s);
     if (r.kind != kind::bed_load) return;
     if (!(s.shear_stress > s.critical_stress)) return;
     const Vec<Dim, float> u = speed_along_bed<Dim>(r, s);
@@ -72,6 +67,14 @@ struct BedLoadDriftPass {
   }
 
  private:
+  /// A parcel in suspension sinks through the water at the settling velocity of its grains, less where it comes to a bed.
+  HOST_DEVICE void sink(Record& r, const BedSurface& s) const {
+    const float room = 1 - s.settled_share / settling::landed;
+    if (!(room > 0)) return;
+    const float speed = (1 - 1 / settling::tie) * scene.erosion.settling_velocity * room;
+    for (int k = 0; k < Dim; ++k) r.work[axis<Dim>(k)] = speed * scene.erosion.down[k];
+  }
+
   struct Around {
     float weight = 0;            // sum of w [m]
     float distance = 0;          // of w (r.e) [m^2]
