@@ -142,7 +142,7 @@ struct BedExchangePass {
     const SuspendedLoadConstants& law = scene.suspended_load;
     const float C = suspended[a].concentration;
     const Suspended& of = suspended[b];
-    // Where a model of turbulence knows the eddies, their share says how deep the water is; else it counts as deep.
+    // The eddies that a model of turbulence knows say how deep the water is; without one it counts as deep.
     const float of_wall = 0.41F * of.friction * over.height;
     const float known = suspended[a].diffusivity;
     const float share = known > 0.5F * of_wall && known < of_wall ? known / of_wall : 1;
