@@ -20,6 +20,7 @@
 #include "common/error.hpp"
 #include "common/io/file_seal.hpp"
 #include "common/io/particle_names.hpp"
+#include "common/io/poly_data_check.hpp"
 #include "common/io/vtk_errors.hpp"
 #include "common/particle_arrays.hpp"
 
@@ -35,6 +36,7 @@ class Reader {
     if (seal_state(file) == SealState::broken) {
       reject("is damaged: its checksum does not fit its contents", "take an earlier copy, or write it again");
     }
+    check_poly_data(file);
     reader_->AddObserver(vtkCommand::ErrorEvent, errors_);
     reader_->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors_);
     reader_->SetReaderErrorObserver(errors_);
