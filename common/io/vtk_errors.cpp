@@ -1,5 +1,6 @@
 #include "common/io/vtk_errors.hpp"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
@@ -11,7 +12,7 @@ namespace {
 
 thread_local VtkErrors* collecting = nullptr;
 
-/// What VTK prints goes to who collects in this thread, and otherwise where it went.
+/// Passes what VTK prints to who collects in this thread, and otherwise to where it went.
 class Listener : public vtkOutputWindow {
  public:
   static Listener* New() { VTK_STANDARD_NEW_BODY(Listener); }
@@ -32,6 +33,7 @@ void listen() {
   std::call_once(once, [] {
     const vtkNew<Listener> listener;
     vtkOutputWindow::SetInstance(listener);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // it would print each error once more
   });
 }
 

@@ -27,7 +27,7 @@ class TreeBuilder {
     });
   }
 
-  /// What is wrong; empty for a text that is whole.
+  /// Returns what is wrong; nothing for a text that is whole.
   std::string read(std::string_view text) {
     constexpr std::size_t part = std::size_t{1} << 24;
     for (std::size_t at = 0;; at += part) {
