@@ -38,6 +38,8 @@ void add_text(vtkPolyData* data, const char* name, const std::string& value) {
 
 void add_fact(vtkPolyData* data, const char* name, float value) { add_number(data, name, value); }
 
+void add_fact(vtkPolyData* data, const char* name, std::int64_t value) { add_number<vtkTypeInt64>(data, name, value); }
+
 void add_fact(vtkPolyData* data, const char* name, const Vec3& value) {
   vtkNew<vtkAOSDataArrayTemplate<double>> one;
   one->SetName(name);

@@ -3,6 +3,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace thalweg {
 
 /// Adds a number, a text, or a point [m] as one entry of three components, to the field data.
 void add_fact(vtkPolyData* data, const char* name, float value);
+void add_fact(vtkPolyData* data, const char* name, std::int64_t value);
 void add_fact(vtkPolyData* data, const char* name, const std::string& value);
 void add_fact(vtkPolyData* data, const char* name, const Vec3& value);
 
