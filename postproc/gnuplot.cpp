@@ -63,7 +63,7 @@ void draw(const fs::path& script, const std::string& text, std::chrono::seconds 
   const std::string program = other_program != nullptr && *other_program != '\0' ? other_program : "gnuplot";
   const fs::path folder = fs::absolute(script).parent_path();
   const fs::path log = folder / (script.stem().string() + ".log");
-  const fs::path part = folder / ("." + script.filename().string() + fmt::format(".{}.part", getpid()));
+  const fs::path part = folder / fmt::format(".{}.{}.part.gp", script.stem().string(), getpid());
   std::ofstream(part) << text;
   std::error_code ignored;
   // -d: without the user's own ~/.gnuplot, which would change the pictures.

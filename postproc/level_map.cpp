@@ -69,6 +69,7 @@ class Balance {
     const double dry = std::numeric_limits<double>::quiet_NaN();
     const ColumnLevels then = found != nullptr ? *found : ColumnLevels{dry, dry, dry, now.floor};
     if (!(std::abs(now.floor - then.floor) <= after_.grid.step)) return {dry, false};  // another wall: a deck, a piston
+    if (std::isnan(now.free_surface) && std::isnan(then.free_surface)) return {dry, false};  // perhaps inside a wall
     const double level = bed_of(now, height);
     const double before = bed_of(then, height);
     const double layer = least_layer * after_.grid.step;
@@ -121,9 +122,10 @@ class Balance {
   bool any_ = false;
 };
 
-}  // namespace
-
-double LevelMap::at(double ColumnLevels::*height, double x, double y) const {
+/// A height between columns, linear in x and y; NaN where columns that have it weigh less than asked for.
+template <class Height>
+double between(const LevelMap& map, double x, double y, const Height& height, double least_weight = 0.5) {
+  const SamplingGrid& grid = map.grid;
   const Place px = place_of(x, grid.step, grid.first_x);
   const Place py = grid.ny == 1 ? Place{0, 0} : place_of(y, grid.step, grid.first_y);
   double sum = 0;
@@ -133,12 +135,22 @@ double LevelMap::at(double ColumnLevels::*height, double x, double y) const {
     const long j = py.index + dj;
     if (i < 0 || j < 0 || i >= static_cast<long>(grid.nx) || j >= static_cast<long>(grid.ny)) continue;
     const double share = (di == 1 ? px.share : 1 - px.share) * (dj == 1 ? py.share : 1 - py.share);
-    const double value = bed_of(levels[grid.column(static_cast<std::size_t>(i), static_cast<std::size_t>(j))], height);
+    const double value = height(map.levels[grid.column(static_cast<std::size_t>(i), static_cast<std::size_t>(j))]);
     if (std::isnan(value)) continue;
     sum += share * value;
     weight += share;
   }
-  return weight >= 0.5 ? sum / weight : std::numeric_limits<double>::quiet_NaN();
+  return weight > 0 && weight >= least_weight ? sum / weight : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+double LevelMap::at(double ColumnLevels::*height, double x, double y) const {
+  const auto of_bed = [height](const ColumnLevels& column) { return column.*height; };
+  const double any = between(*this, x, y, of_bed, 0);
+  if (!std::isnan(any)) return between(*this, x, y, of_bed);
+  // Dry all around: the floor. Beside a bed it may be the top of a wall.
+  return between(*this, x, y, [height](const ColumnLevels& column) { return bed_of(column, height); });
 }
 
 const ColumnLevels* LevelMap::find(const SamplingGrid& like, std::size_t i, std::size_t j) const {

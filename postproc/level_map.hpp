@@ -13,8 +13,8 @@ struct LevelMap {
   SamplingGrid grid;
   std::vector<ColumnLevels> levels;  // SamplingGrid::column
 
-  /// Height of the bed (or of the sediment at rest) between columns, linear in x and y; the floor where a column is dry.
-  /// The columns of a cell that have none count for nothing; NaN where these are more than half.
+  /// Height of the bed (or of the sediment at rest) between columns, linear in x and y. The columns of a cell that have none
+  /// count for nothing; NaN where these are more than half. Where all are dry, the floor.
   [[nodiscard]] double at(double ColumnLevels::*height, double x, double y) const;
   /// The same node's levels, if the map has it; `like` has the map's step.
   [[nodiscard]] const ColumnLevels* find(const SamplingGrid& like, std::size_t i, std::size_t j) const;

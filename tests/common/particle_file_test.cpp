@@ -226,8 +226,7 @@ TEST_F(ParticleFile, RefusesATruncatedFile) {
     const auto cut = folder / "cut.vtp";
     std::filesystem::copy_file(file, cut, std::filesystem::copy_options::overwrite_existing);
     resize_file(cut, static_cast<std::uintmax_t>(share * static_cast<double>(whole)));
-    EXPECT_THAT(message_of(cut), ::testing::ContainsRegex("cut.vtp:[0-9]+: is not complete XML .no element found"))
-        << "at " << share;
+    EXPECT_THAT(message_of(cut), ::testing::ContainsRegex("cut.vtp:[0-9]+: is not complete XML ")) << "at " << share;
   }
 }
 
