@@ -108,9 +108,8 @@ bool write_report(ReportInput& input) {
   const fs::path pictures = input.run.report() / "pictures";
   if (const std::size_t old = report_sections::old_paraview_pictures(input); old > 0) {
     input.warnings.push_back(
-        fmt::format("{} pictures in report/paraview are older than the run's snapshots and left out; draw them again: "
-                    "pvbatch view.py "
-                    "--pictures report/paraview",
+        fmt::format("pictures in report/paraview that are older than the snapshots are left out ({}); draw them again: "
+                    "pvbatch view.py --pictures report/paraview",
                     old));
   }
   bool drawn = true;
