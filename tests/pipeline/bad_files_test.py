@@ -230,7 +230,9 @@ class BadFiles(unittest.TestCase):
         for number, (contents, text) in enumerate(TABLES):
             file = self.write("t0.100.csv", contents)
             self.refused([thalweg, "postproc", self.filled, "--compare", file], text, f"table {number}: {text}")
-        self.refused([thalweg, "postproc", self.filled, "--compare", "/dev/zero"], "neither a plain file", "device")
+        for argument, text in (("/dev/zero", "neither a plain file"), (5000 * "L" + "=" + str(file), "5000 characters"),
+                               ("=" + str(file), "0 characters"), (5000 * "L", "no such file or folder")):
+            self.refused([thalweg, "postproc", self.filled, "--compare", argument], text, f"argument: {text}")
 
     def test_surveys(self):
         scene = (TESTS / "gencase" / "bad_geometry" / "scene.toml").read_text()

@@ -180,6 +180,8 @@ TEST(ReadNamedSets, ReadsFilesFoldersAndRunsUnderTheirLabels) {
   EXPECT_THROW(read_named_sets({lab, lab + "/t0.250.csv"}), InputError);  // one time twice under one label
   EXPECT_THROW(read_named_sets({folder.path().string()}), InputError);    // no profile in it
   EXPECT_THROW(read_named_sets({"/dev/zero"}), InputError);               // neither file nor folder
+  EXPECT_THROW(read_named_sets({std::string(5000, 'L') + "=" + lab}), InputError);
+  EXPECT_THROW(read_named_sets({std::string(5000, 'L')}), InputError);
 }
 
 TEST(BedChange, CountsWhereSedimentLies) {
