@@ -71,7 +71,7 @@ class TextLines {
     if (value && std::isfinite(*value)) return *value;
     std::string pointed(word);
     std::replace(pointed.begin(), pointed.end(), ',', '.');
-    if (number_of<double>(pointed))
+    if (pointed != word && number_of<double>(pointed))
       refuse(fmt::format("\"{}\" has a decimal comma; write {} in the whole file", shown(word), shown(pointed)));
     refuse(fmt::format("\"{}\" is no number; correct or remove the line", shown(word)));
   }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "common/error.hpp"
@@ -32,6 +33,13 @@ vtkSmartPointer<vtkDataCompressor> compressor_of(const std::string& name) {
   if (name == "vtkLZ4DataCompressor") return vtkSmartPointer<vtkLZ4DataCompressor>::New();
   if (name == "vtkLZMADataCompressor") return vtkSmartPointer<vtkLZMADataCompressor>::New();
   return vtkSmartPointer<vtkZLibDataCompressor>::New();
+}
+
+/// True for a number as VTK reads it from a text; it stops at any other word, and what follows would be lost.
+bool is_finite_number(std::string_view word) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc{} && end == word.data() + word.size() && std::isfinite(value);
 }
 
 template <class Number>
@@ -77,7 +85,14 @@ StoredArray::StoredArray(const VtkFile& file, const XmlElement& element)
   find_data();
   if (is_text_) {
     std::uint64_t words = 0;
-    for (std::string_view text = data_; !next_word(text).empty();) ++words;
+    std::string_view text = data_;
+    for (std::string_view word = next_word(text); !word.empty(); word = next_word(text), ++words) {
+      if (!is_finite_number(word)) {
+        file_.refuse(element_,
+                     fmt::format("the array \"{}\" holds \"{}\", no finite number", shown(name_), shown(word)),
+                     "correct it, or store the array in binary");
+      }
+    }
     size_ = words * width_;
   } else if (!data_.empty()) {
     read_header();

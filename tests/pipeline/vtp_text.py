@@ -21,7 +21,7 @@ class Particles:
                       "Spacing": ("Float64", spacing), "SmoothingLength": ("Float64", 1.5 * spacing)}
         self.points = [[spacing * (i + 0.5), 0, spacing * 0.5] for i in range(count)]
         self.id = list(range(count))
-        self.type = [0] + [2] * (count - 1)  # wall, water
+        self.type = ([0] + [2] * count)[:count]  # wall, water
         self.density = [1000.0] * count
         self.mass = [1000 * spacing**2] * count
         self.velocity = [[0, 0, 0] for _ in range(count)]
