@@ -44,7 +44,8 @@ void take_initial(ProfileSet& set) {
 
 // A label people recognise: the folder's name, or its parent's where the folder is just called "profiles".
 std::string label_of(const fs::path& path) {
-  fs::path folder = fs::is_directory(path) ? path.lexically_normal() : path.lexically_normal().parent_path();
+  std::error_code too_long;
+  fs::path folder = fs::is_directory(path, too_long) ? path.lexically_normal() : path.lexically_normal().parent_path();
   if (folder.filename().empty()) folder = folder.parent_path();
   if (folder.filename() == "profiles") folder = folder.parent_path();
   const std::string name = folder.filename().string();
@@ -113,7 +114,7 @@ std::vector<ProfileSet> read_named_sets(const std::vector<std::string>& argument
     const fs::path path = named ? argument.substr(equals + 1) : argument;
     const std::string label = named ? argument.substr(0, equals) : label_of(path);
     constexpr std::size_t longest = 60;  // it stands in tables, legends and names of files
-    if (label.empty() || label.size() > longest) {
+    if (named && (label.empty() || label.size() > longest)) {
       throw InputError("--compare " + shown(argument) + ": the label has " + std::to_string(label.size()) +
                        " characters; give 1 to " + std::to_string(longest) + " before the =");
     }

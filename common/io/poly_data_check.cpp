@@ -159,6 +159,9 @@ class Checker {
     for (const XmlElement& element : fields.children) {
       named(element, names);
       const StoredArray stored = array(element);
+      if (!stored.is_finite()) {  // VTK loses the facts that follow
+        file_.refuse(element, fmt::format("{} in the field data is no finite number", shown(stored.name())));
+      }
       sized(element, stored, number(element, "NumberOfTuples", 0, most_entries));
     }
   }

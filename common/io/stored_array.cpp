@@ -35,11 +35,11 @@ vtkSmartPointer<vtkDataCompressor> compressor_of(const std::string& name) {
   return vtkSmartPointer<vtkZLibDataCompressor>::New();
 }
 
-/// True for a number as VTK reads it from a text; it stops at any other word, and what follows would be lost.
-bool is_finite_number(std::string_view word) {
+/// A number of a text. VTK stops at any other word, and what follows would be lost.
+std::optional<double> number_in(std::string_view word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc{} && end == word.data() + word.size() && std::isfinite(value);
+  return error == std::errc{} && end == word.data() + word.size() ? std::make_optional(value) : std::nullopt;
 }
 
 template <class Number>
@@ -87,11 +87,9 @@ StoredArray::StoredArray(const VtkFile& file, const XmlElement& element)
     std::uint64_t words = 0;
     std::string_view text = data_;
     for (std::string_view word = next_word(text); !word.empty(); word = next_word(text), ++words) {
-      if (!is_finite_number(word)) {
-        file_.refuse(element_,
-                     fmt::format("the array \"{}\" holds \"{}\", no finite number", shown(name_), shown(word)),
-                     "correct it, or store the array in binary");
-      }
+      const auto number = number_in(word);
+      if (!number) refuse(fmt::format("holds \"{}\", which is no number", shown(word)));
+      is_finite_ = is_finite_ && std::isfinite(*number);
     }
     size_ = words * width_;
   } else if (!data_.empty()) {

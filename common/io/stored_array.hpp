@@ -39,6 +39,8 @@ class StoredArray {
   /// Bytes of all numbers.
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] bool is_text_array() const { return is_text_array_; }
+  /// False if a number that stands in text is infinite or none.
+  [[nodiscard]] bool is_finite() const { return is_finite_; }
   [[nodiscard]] const std::string& name() const { return name_; }
 
   /// The array's numbers, which have to be whole. Throws InputError for an array of fractions, or for bytes that cannot be
@@ -62,6 +64,7 @@ class StoredArray {
   std::string type_;
   std::size_t width_ = 1;  // bytes of a number
   bool is_text_array_ = false;
+  bool is_finite_ = true;
   bool is_text_ = false;  // format="ascii"
   bool is_base64_ = true;
   std::string_view data_;   // what is stored, from its header on

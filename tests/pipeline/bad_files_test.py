@@ -118,16 +118,16 @@ def set_fact(name, kind, value):
 
 # Contents, as the solver reads them.
 CONTENTS = [
-    (put("points", 1, ["nan", 0, 0.1]), "no finite number"), (put("points", 1, ["inf", 0, 0.1]), "no finite number"),
+    (put("points", 1, ["nan", 0, 0.1]), "not finite"), (put("points", 1, ["inf", 0, 0.1]), "not finite"),
     (put("points", 1, ["1e30", 0, 0.1]), "from the origin"), (put("points", 2, [0.015, 0, 0.005]), "in the place of particle"),
-    (lambda p: p.points.__setitem__(slice(1, 3), [[0.015, 0.3, 0.005], [0.025, 0, 0.015]]), "several y"), (put("id", 2, 1), "two particles have the id 1"), (put("id", 2, -4), "has the id -4"),
+    (lambda p: p.points.__setitem__(slice(1, 3), [[0.015, 0.3, 0.005], [0.025, 0, 0.015]]), "several y"), (put("id", 2, 1), "two particles have the id 1"), (put("id", 2, -4), "has the id -4"), (put("density", 2, "heavy"), "which is no number"),
     (put("type", 1, 9), "array Type holds 9"), (lambda p: setattr(p, "type", [0, 0, 1, 0]), "neither water nor sediment"),
-    (put("mass", 2, "nan"), "no finite number"), (put("mass", 2, -1), "its mass"), (put("mass", 2, 0), "its mass"),
-    (put("density", 1, "inf"), "no finite number"), (put("density", 1, 0), "its density"), (put("velocity", 1, ["nan", 0, 0]), "no finite number"),
-    (set_fact("TimeValue", "Float64", -1), "TimeValue"), (set_fact("TimeValue", "Float64", "nan"), "no finite number"),
+    (put("mass", 2, "nan"), "its mass"), (put("mass", 2, -1), "its mass"), (put("mass", 2, 0), "its mass"),
+    (put("density", 1, "inf"), "its density"), (put("density", 1, 0), "its density"), (put("velocity", 1, ["nan", 0, 0]), "its velocity"),
+    (set_fact("TimeValue", "Float64", -1), "TimeValue"), (set_fact("TimeValue", "Float64", "nan"), "TimeValue in the field data is no finite number"),
     (set_fact("TimeValue", "Float64", 0.1), "no step has been taken"), (set_fact("Step", "Int64", -7), "Step"),
     (set_fact("Dimension", "Int32", 3), "dimensions"), (set_fact("Dimension", "Int32", 7), "Dimension"),
-    (set_fact("Spacing", "Float64", "nan"), "Spacing"), (set_fact("Spacing", "Float64", -0.01), "Spacing"),
+    (set_fact("Spacing", "Float64", "nan"), "Spacing in the field data is no finite number"), (set_fact("Spacing", "Float64", -0.01), "Spacing"),
     (set_fact("Spacing", "Float64", 0.02), "spacing"), (lambda p: p.facts.pop("Spacing"), "Spacing"),
     (set_fact("NumberOfParticles", "Int64", 8), "holds 4 particles, and 8 were written"),
     (set_fact("LatticeNode", "Float64", 1), "LatticeNode"), (lambda p: p.__init__(count=0), "no particles"),
