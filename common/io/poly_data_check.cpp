@@ -10,6 +10,7 @@
 #include <string>
 
 #include "common/error.hpp"
+#include "common/io/file_seal.hpp"
 #include "common/io/stored_array.hpp"
 #include "common/shown.hpp"
 
@@ -31,10 +32,16 @@ std::string bytes_of(const fs::path& file) {
   return bytes;
 }
 
+/// True for a file whose contents are as they were written.
+bool has_whole_seal(std::string_view bytes) {
+  const std::size_t mark = bytes.rfind("<!-- crc32 ");
+  return mark != std::string_view::npos && bytes.substr(mark) == seal_of(bytes.substr(0, mark));
+}
+
 class Checker {
  public:
   Checker(const fs::path& path, std::string_view bytes)
-      : root_(parse_xml(bytes, path, "AppendedData")), file_{path, bytes} {}
+      : root_(parse_xml(bytes, path, "AppendedData")), file_{path, bytes}, sealed_(has_whole_seal(bytes)) {}
 
   void check() {
     head();
@@ -130,6 +137,7 @@ class Checker {
       file_.refuse(element, fmt::format("the arrays announce {} bytes, more than {} times the file's size", unpacked_,
                                         largest_growth));
     }
+    if (!sealed_) stored.check_contents();  // VTK 9.1 crashes while it reports an array that it cannot decompress
     return stored;
   }
 
@@ -251,6 +259,7 @@ class Checker {
 
   XmlElement root_;
   VtkFile file_;
+  bool sealed_;
   std::uint64_t unpacked_ = 0;  // [bytes] of all arrays so far
 };
 

@@ -43,6 +43,11 @@ class StoredArray {
   [[nodiscard]] bool is_finite() const { return is_finite_; }
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  /// Throws InputError if the array's bytes cannot be decompressed.
+  void check_contents() const {
+    if (!blocks_.empty()) (void)decoded();
+  }
+
   /// The array's numbers, which have to be whole. Throws InputError for an array of fractions, or for bytes that cannot be
   /// decompressed.
   [[nodiscard]] std::vector<std::int64_t> integers() const;

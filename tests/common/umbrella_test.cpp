@@ -42,7 +42,8 @@ class Umbrella : public ::testing::Test {
 
   void install(const std::string& stage, int status, const std::string& more = "") const {
     const fs::path program = folder / "bin" / ("thalweg-" + stage);
-    const std::string makes = stage == "gencase" ? "case \"$*\" in *--check*) ;; *) /bin/mkdir -p \"$3\" ;; esac\n" : "";
+    const std::string makes =
+        stage == "gencase" ? "case \"$*\" in *--check*) ;; *) /bin/mkdir -p \"$3\" ;; esac\n" : "";
     std::ofstream(program) << "#!/bin/sh\necho " << stage << " \"$@\" >> calls\n"
                            << makes << more << "\nexit " << status << "\n";
     fs::permissions(program, fs::perms::owner_all);
