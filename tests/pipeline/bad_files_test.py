@@ -87,7 +87,7 @@ STRUCTURE = [
     (points(WORD + '"raw"', ""), "unknown format"), (("<Points>", "<Points></Points><Points>"), "needs one array"),
     (compressed(packed(PLACES, blocks=2**61)), "more blocks"), (compressed(packed(PLACES, blocks=9)), "announces more bytes"),
     (compressed(packed(PLACES, block=2**40)), "impossible sizes"), (compressed(packed(PLACES, last=2**20)), "impossible sizes"),
-    (compressed(packed(PLACES, size=2**50)), "announces more bytes"), (compressed(packed(PLACES, last=90)), "numbers"),
+    (compressed(packed(PLACES, size=2**50)), "announces more bytes"), (compressed(packed(PLACES, last=90)), "cannot be decompressed"),
     (compressed(packed(PLACES)[:-24] + 24 * "A"), "cannot be decompressed"),
     (compressed(packed(PLACES, blocks=5, block=2**25, last=0, size=4)), "more than 40 times"),
     (("0 1 2 3</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\"", "0 1 2 9</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\""), "a corner is point 9"),
