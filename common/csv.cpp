@@ -64,11 +64,12 @@ char separator_of(const std::string& heading) {
   return most;
 }
 
+/// The finite number that is the whole cell.
 std::optional<double> number_in(const std::string& cell) {
   double value = 0;
   const char* const end = cell.data() + cell.size();
   const auto parsed = std::from_chars(cell.data(), end, value);
-  if (parsed.ec != std::errc{} || parsed.ptr != end) return std::nullopt;
+  if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 
@@ -156,7 +157,8 @@ void CsvTable::take_heading(const std::vector<std::string>& headings) {
   for (const std::string& heading : headings) {
     CsvColumn column = column_of(heading);
     if (has(column.name)) {
-      throw InputError(fmt::format("{}: the heading names \"{}\" twice; rename one column", where(), column.name));
+      throw InputError(
+          fmt::format("{}: the heading names \"{}\" twice; rename one column", where(), shown(column.name)));
     }
     columns_.push_back(std::move(column));
   }
@@ -181,13 +183,14 @@ bool CsvTable::has(std::string_view name) const {
 }
 
 std::size_t CsvTable::index_of(std::string_view name) const {
+  constexpr std::size_t listed = 7;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].name == name) return i;
-    names.push_back(columns_[i].name);
+    if (i < listed) names.push_back(shown(columns_[i].name));
   }
-  throw InputError(
-      fmt::format("{}: there is no column \"{}\"; the columns are {}", where(), name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("{}: there is no column \"{}\"; the columns are {}{}", where(), shown(name),
+                               fmt::join(names, ", "), columns_.size() > listed ? ", ..." : ""));
 }
 
 std::vector<std::string> CsvTable::texts(std::string_view name) const {
@@ -203,7 +206,7 @@ std::vector<double> CsvTable::numbers(std::string_view name, std::string_view un
   if (column.unit != unit) {
     throw InputError(
         fmt::format("{}: the column \"{}\" is not in {}; head it \"{} [{}]\" and give its values in that unit", where(),
-                    column.heading(), unit, name, unit));
+                    shown(column.heading()), shown(unit), shown(name), shown(unit)));
   }
   std::vector<double> result;
   result.reserve(cells_.size());
@@ -216,7 +219,7 @@ std::vector<double> CsvTable::numbers(std::string_view name, std::string_view un
     result.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
     if (value || cell.empty()) continue;
     if (fault.empty())
-      fault = fmt::format("{}: {}", where(row), fault_of(cell, std::string(name)));
+      fault = fmt::format("{}: {}", where(row), fault_of(cell, shown(name)));
     else if (row < lines_.size())
       further.push_back(lines_[row]);
   }

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <thread>
 #include <utility>
 
 namespace thalweg {
@@ -165,9 +166,19 @@ int ChildProcess::wait() {
   return status_;
 }
 
-void ChildProcess::end() {
+bool ChildProcess::ends_within(std::chrono::milliseconds patience) {
+  constexpr std::chrono::milliseconds longest{20};
+  const auto end = std::chrono::steady_clock::now() + patience;
+  for (std::chrono::milliseconds pause{1}; running(); pause = std::min(2 * pause, longest)) {
+    if (std::chrono::steady_clock::now() >= end) return false;
+    std::this_thread::sleep_for(pause);
+  }
+  return true;
+}
+
+void ChildProcess::end(int signal) {
   if (process_ <= 0) return;
-  kill(own_group_ ? -process_ : process_, SIGTERM);
+  kill(own_group_ ? -process_ : process_, signal);
   collect(0);
 }
 

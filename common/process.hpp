@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -46,10 +47,12 @@ class ChildProcess {
 
   /// True until the child has ended.
   bool running();
+  /// Waits for the child to end, no longer than `patience`. False if it still runs.
+  bool ends_within(std::chrono::milliseconds patience);
   /// Waits until the child has ended. Returns its exit status, or 128 + n if signal n ended it.
   int wait();
-  /// Ends the child by SIGTERM, with its group if it has its own, and waits for that.
-  void end();
+  /// Ends the child by this signal, with its group if it has its own, and waits for that.
+  void end(int signal = SIGTERM);
   /// The next line from the piped descriptor, without its end. Nothing if the child closes it before the end of a line,
   /// or writes nothing for `patience`; a negative patience waits without limit.
   std::optional<std::string> read_line(std::chrono::milliseconds patience = std::chrono::milliseconds(-1));

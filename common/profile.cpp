@@ -16,10 +16,12 @@ struct Curve {
   const char* name;
   std::vector<double> Profile::*values;
 };
-constexpr Curve curves[] = {
-    {"free_surface", &Profile::free_surface}, {"bed", &Profile::bed}, {"moving_bed", &Profile::moving_bed}};
+constexpr Curve curves[] = {{"free_surface", &Profile::free_surface},
+                            {"bed", &Profile::bed},
+                            {"moving_bed", &Profile::moving_bed},
+                            {"floor", &Profile::floor}};
 
-constexpr const char* known_columns = "x [m], free_surface [m], bed [m], moving_bed [m]";
+constexpr const char* known_columns = "x [m], free_surface [m], bed [m], moving_bed [m], floor [m]";
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 
 namespace thalweg {
 
-/// Curves along x at one time, in the CSV format "x [m], free_surface [m], bed [m], moving_bed [m]"
-/// (docs/file-formats.md). A column that a source does not have is empty; a single missing value is NaN (an empty cell
+/// Curves along x at one time, in the CSV format "x [m], free_surface [m], bed [m], moving_bed [m],
+/// floor [m]" (docs/file-formats.md). A column that a source does not have is empty; a single missing value is NaN (an empty cell
 /// in the file).
 struct Profile {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -18,6 +18,7 @@ struct Profile {
   std::vector<double> free_surface;  // [m] elevation of the water's (or a dry bed's) top
   std::vector<double> bed;           // [m] elevation of the sediment's top, moving or not
   std::vector<double> moving_bed;    // [m] elevation of the lower edge of the moving sediment
+  std::vector<double> floor;         // [m] elevation of the wall under the fluid; a bed at this height is bare
 };
 
 /// Writes a profile, whole or not at all; `comments` become leading "# " lines. Throws RunError.

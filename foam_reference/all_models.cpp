@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "common/error.hpp"
+#include "common/warnings.hpp"
 #include "foam_reference/foam_library.hpp"
 #include "foam_reference/foam_run.hpp"
 #include "foam_reference/reference_run.hpp"
@@ -31,19 +32,19 @@ std::vector<FoamModel> chosen_models(const Case& scene, const ModelOptions& opti
 }
 
 // The folder of the library. Where it cannot be had, the stock model takes the place of the models that need it.
-std::filesystem::path find_library(const Case& scene, std::vector<FoamModel>& models) {
+std::filesystem::path find_library(const Case& scene, std::vector<FoamModel>& models, const Warn& warn) {
   const auto needs = [&](FoamModel model) { return needs_library(scene, model); };
   if (std::ranges::none_of(models, needs)) return {};
   if (const auto library = foam_library()) return *library;
-  fmt::print(stderr,
-             "foam: without libthalwegFoam there is the stock model only (HerschelBulkley, yield stress without "
-             "pressure); tools/foam-library builds it where OpenFOAM's source package can be had\n");
+  warn(
+      "without libthalwegFoam there is the stock model only (HerschelBulkley, yield stress without pressure); "
+      "tools/foam-library builds it where OpenFOAM's source package can be had");
   models = {FoamModel::stock};
   return {};
 }
 
 std::vector<Planned> plan(const Case& scene, const std::vector<FoamModel>& models, const ModelOptions& options,
-                          const std::filesystem::path& library) {
+                          const std::filesystem::path& library, const Warn& warn) {
   const int meshes = options.meshes > 0 ? options.meshes : scene.foam.meshes;
   std::vector<Planned> planned;
   for (const FoamModel model : models) {
@@ -57,7 +58,7 @@ std::vector<Planned> plan(const Case& scene, const std::vector<FoamModel>& model
                                           needs_library(scene, model) ? library : std::filesystem::path())});
       } catch (const InputError& error) {
         if (mesh == 0) throw;
-        fmt::print(stderr, "foam: no mesh {} times as coarse ({})\n", coarsening, error.what());
+        warn(fmt::format("no mesh {} times as coarse ({})", coarsening, error.what()));
         break;
       }
     }
@@ -73,14 +74,23 @@ std::string folder_of(FoamModel model, int coarsening) {
 
 void run_models(const Case& scene, const RunFolder& run, const ModelOptions& options) {
   std::vector<FoamModel> models = chosen_models(scene, options);
-  for (const Planned& checked : plan(scene, models, options, {})) (void)case_files(checked.foam_case);  // throws now
+  const auto silent = [](const std::string&) {};
+  for (const Planned& checked : plan(scene, models, options, {}, silent))
+    (void)case_files(checked.foam_case);  // throws
   require_openfoam();
-  const std::filesystem::path library = find_library(scene, models);
-  for (const Planned& one : plan(scene, models, options, library)) {
+  if (options.check) return;
+  const WarningFile kept(run, "foam");
+  kept.clear();
+  const Warn warn = [&](const std::string& line) {
+    fmt::print(stderr, "warning: foam: {}\n", line);
+    kept.add(line);
+  };
+  const std::filesystem::path library = find_library(scene, models, warn);
+  for (const Planned& one : plan(scene, models, options, library, warn)) {
     const std::filesystem::path folder = run.foam() / folder_of(one.model, one.coarsening);
     fmt::print(stderr, "foam: {}, cells of {:g} mm, {} of them\n", name_of(one.model), 1e3 * one.foam_case.plan.cell,
                one.foam_case.plan.cell_count());
-    if (reference_run(one.foam_case, folder) == Reference::already_there) {
+    if (reference_run(one.foam_case, folder, warn) == Reference::already_there) {
       fmt::print(stderr, "foam: {} is finished and up to date\n", folder.string());
     }
   }

@@ -13,6 +13,7 @@ struct ModelOptions {
   std::string model;  // one model only; empty: models_of(scene)
   int meshes = 0;     // 0: foam.meshes
   int ranks = 1;
+  bool check = false;  // throw what keeps the models from running, and run none
 };
 
 /// Folder of a model's results inside RunFolder::foam(): "same-material", on twice as coarse a mesh "same-material-2x".

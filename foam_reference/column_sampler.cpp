@@ -8,6 +8,7 @@ namespace thalweg::foam {
 struct ColumnSampler::Elevations {
   double integral = Profile::missing;  // [m]
   double crossing = Profile::missing;  // [m]
+  double floor = Profile::missing;     // lower edge of the column's lowest cell
 };
 
 // The cells of a column from the floor up; -1 where there is no cell.
@@ -56,7 +57,7 @@ ColumnSampler::Elevations ColumnSampler::measure(const Column& column, const std
   if (lowest == count) return {};
   const double floor = plan_.low.z() + static_cast<double>(lowest) * dz;
 
-  Elevations elevations{floor, floor};
+  Elevations elevations{floor, floor, floor};
   for (const std::int64_t cell : column.cells) {
     if (cell >= 0) elevations.integral += share_of(shares, cell) * dz;
   }
@@ -97,7 +98,7 @@ SampledProfile ColumnSampler::sample(const PhaseFields& fields) const {
 
   SampledProfile sampled;
   for (std::int64_t i = 0; i < plan_.cells[0]; ++i) {
-    Mean surface, surface_crossing, bed, bed_crossing;
+    Mean surface, surface_crossing, bed, bed_crossing, floor;
     for (std::int64_t j = 0; j < plan_.cells[1]; ++j) {
       Column column;
       int runs = 0;
@@ -110,6 +111,7 @@ SampledProfile ColumnSampler::sample(const PhaseFields& fields) const {
       const Elevations top = measure(column, liquid);
       surface.add(top.integral);
       surface_crossing.add(top.crossing);
+      floor.add(top.floor);
       if (fields.sediment.empty()) continue;
       const Elevations sediment = measure(column, fields.sediment);
       bed.add(sediment.integral);
@@ -117,6 +119,7 @@ SampledProfile ColumnSampler::sample(const PhaseFields& fields) const {
     }
     sampled.profile.x.push_back(plan_.low.x() + (static_cast<double>(i) + 0.5) * plan_.size().x());
     sampled.profile.free_surface.push_back(surface.value());
+    sampled.profile.floor.push_back(floor.value());
     const auto widen = [](double& largest, const Mean& a, const Mean& b) {
       if (a.count > 0) largest = std::max(largest, std::abs(a.value() - b.value()));
     };

@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
                  "One model only: same-material, eroding-bed or stock (default: foam.models of the case)");
   app.add_option("--meshes", options.meshes, "Number of meshes, each twice as coarse as the one before")
       ->check(CLI::Range(1, 4));
+  app.add_flag("--check", options.check, "Only say whether there is a mesh model of the scene, and OpenFOAM");
   app.add_option("--ranks", options.ranks, "Number of processes")->check(CLI::Range(1, 4096));
   app.add_option("--set", settings, "Sets a key of the case file: numerics.spacing=\"4 mm\"")->allow_extra_args(false);
   if (const auto answered = parse_command_line(app, argc, argv)) return *answered;

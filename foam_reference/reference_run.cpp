@@ -60,7 +60,7 @@ void clean(const fs::path& folder, const FoamCase& foam_case) {
   fs::remove(folder / "log.Allclean");
 }
 
-void report(const std::vector<VolumeBalance>& balances, const FoamRun& run) {
+void report(const std::vector<VolumeBalance>& balances, const FoamRun& run, const Warn& warn) {
   fmt::print(stderr, "foam: {} steps in {:.1f} s ({:.1f} s CPU)", run.steps.size(), run.wall_seconds, run.cpu_seconds);
   for (const VolumeBalance& balance : balances) {
     fmt::print(stderr, ", {} volume {:+.1e}", balance.phase, balance.relative_error());
@@ -68,16 +68,16 @@ void report(const std::vector<VolumeBalance>& balances, const FoamRun& run) {
   fmt::print(stderr, "\n");
   for (const VolumeBalance& balance : balances) {
     if (std::abs(balance.relative_error()) <= volume_tolerance) continue;
-    fmt::print(stderr,
-               "warning: foam: the volume of {} changed by {:.2g} % (history.csv shows when); compare with a smaller "
-               "--cell before trusting this run\n",
-               balance.phase, 100 * balance.relative_error());
+    warn(fmt::format(
+        "the volume of {} changed by {:.2g} % (history.csv shows when); compare with a smaller --cell before "
+        "trusting this run",
+        balance.phase, 100 * balance.relative_error()));
   }
 }
 
 }  // namespace
 
-Reference reference_run(const FoamCase& foam_case, const fs::path& folder) {
+Reference reference_run(const FoamCase& foam_case, const fs::path& folder, const Warn& warn) {
   const CaseFiles files = case_files(foam_case);
   const fs::path root = fs::absolute(folder);
   if (is_current(root, files)) {
@@ -92,7 +92,7 @@ Reference reference_run(const FoamCase& foam_case, const fs::path& folder) {
     throw RunError(std::string(error.what()) + "; check the permissions of " + root.string());
   }
   const FoamRun run = run_foam(root / "case", foam_case.scene.output.end, foam_case.application());
-  report(write_results(foam_case, root, run), run);
+  report(write_results(foam_case, root, run), run, warn);
   return Reference::computed;
 }
 

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/foam_run.hpp"
 
 namespace thalweg::foam {
+
+/// Takes a warning, one line.
+using Warn = std::function<void(const std::string&)>;
 
 /// Outcome of reference_run.
 enum class Reference { computed, already_there };
@@ -17,7 +22,7 @@ enum class Reference { computed, already_there };
 ///   summary.csv   what was run, what it cost, how well volumes were kept
 /// A finished run of exactly these dictionaries is not repeated; profiles that it lacks are sampled.
 /// Throws InputError (also without OpenFOAM), RunError, Interrupted.
-Reference reference_run(const FoamCase& foam_case, const std::filesystem::path& folder);
+Reference reference_run(const FoamCase& foam_case, const std::filesystem::path& folder, const Warn& warn);
 
 /// Volumes [m^3] (2-D: [m^3/m]) of one phase over a run.
 struct VolumeBalance {

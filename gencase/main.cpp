@@ -12,6 +12,7 @@
 #include "common/io/run_results.hpp"
 #include "common/run_folder.hpp"
 #include "common/run_lock.hpp"
+#include "common/warnings.hpp"
 #include "common/whole_file.hpp"
 #include "gencase/generate.hpp"
 #include "gencase/report.hpp"
@@ -27,7 +28,10 @@ thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check
     fmt::print("{}\n", line);
     std::fflush(stdout);  // the number of particles is shown before their memory is allocated
   };
-  options.notes.warn = [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); };
+  options.notes.warn = [folder, check](const std::string& line) {
+    fmt::print(stderr, "warning: {}\n", line);
+    if (!check) thalweg::WarningFile({folder}, "gencase").add(line);
+  };
   if (!check)
     options.notes.draw = [folder](const std::string& name, const thalweg::LineSet& lines) {
       const fs::path file = folder / (name + ".vtp");
@@ -69,6 +73,7 @@ int gencase(int argc, char** argv) {
     lock.emplace(folder.root, "thalweg-gencase");
     if (!force) thalweg::refuse_to_replace(folder, "fill another folder (--out), or replace it with --force");
     thalweg::remove_dead_parts(folder.root);
+    thalweg::forget_warnings(folder);
   }
   const auto begin = std::chrono::steady_clock::now();
   const thalweg::gencase::Generated generated = thalweg::gencase::generate(scene, options_for(folder.root, check));

@@ -18,7 +18,7 @@
 #include "common/error.hpp"
 #include "gencase/ply_check.hpp"
 #include "gencase/survey_reader.hpp"
-#include "gencase/words.hpp"
+#include "gencase/text_meshes.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -34,77 +34,22 @@ std::string contents_of(std::istream& from) {
   return text.str();
 }
 
-/// The words of each line that has any, without comments.
-std::vector<std::vector<std::string>> lines_of_words(const std::string& bytes) {
-  std::istringstream text(bytes);
-  std::vector<std::vector<std::string>> lines;
-  for (std::string line; std::getline(text, line);) {
-    line.erase(std::min(line.find('#'), line.size()));
-    std::vector<std::string> words = words_of(line);
-    if (!words.empty()) lines.push_back(std::move(words));
-  }
-  return lines;
-}
-
-/// The text of an OFF file as CGAL's reader may read it: the header as checked here, and of each point only its
-/// coordinates. Fuzzing found three faults of that reader: it allocates memory for whatever number a header announces;
-/// it misreads a header with a comment close to the word; and if the first point has colours and normals, it looks for
-/// them in all points, beyond the end of shorter lines.
-std::string checked_off(const std::string& bytes) {
-  const auto lines = lines_of_words(bytes);
-  // The word, then the numbers of points, faces and edges, on one line or several. The edges are often left away.
-  std::vector<std::string> header;
-  std::size_t line = 0;
-  for (; header.size() < 3 && line < lines.size(); ++line)
-    header.insert(header.end(), lines[line].begin(), lines[line].end());
-  const bool known =
-      !header.empty() && (header[0] == "OFF" || header[0] == "COFF" || header[0] == "NOFF" || header[0] == "CNOFF");
-  if (!known || header.size() < 3 || header.size() > 4 || !is_count(header[1]) || !is_count(header[2]))
-    throw InputError("is no OFF file: the word OFF and the counts of points and faces are missing; export it again");
-  const auto size = static_cast<double>(bytes.size());
-  check_count("points and faces", std::stod(header[1]) + std::stod(header[2]), size, 4);
-
-  std::string plain = fmt::format("OFF\n{} {} 0\n", header[1], header[2]);
-  const std::size_t faces = line + std::stoul(header[1]);
-  for (; line < lines.size(); ++line) {
-    const auto& words = lines[line];
-    const std::size_t kept = line < faces ? std::min<std::size_t>(3, words.size()) : words.size();
-    plain += fmt::format("{}\n", fmt::join(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(kept), " "));
-    // The lines after the points hold numbers of corners, indices and colours: none is larger than the file's size.
-    for (std::size_t i = 0; line >= faces && i < words.size(); ++i) {
-      const std::string digits = words[i].substr(0, words[i].find_first_not_of("0123456789"));
-      if (!digits.empty()) check_count("corners", is_count(digits) ? std::stod(digits) : HUGE_VAL, size, 1);
-    }
-  }
-  return plain;
-}
-
-/// The bytes as CGAL's reader may read them. Throws InputError for those that are not of this format or damaged.
-std::string checked(std::string bytes, MeshFormat format) {
-  if (format == MeshFormat::off) return checked_off(bytes);
+/// CGAL's reader does not tell why it cannot read something; the checks before and after find most.
+PolygonSoup read_ply(const std::string& bytes) {
   check_ply(bytes);
-  return bytes;
-}
-
-/// CGAL's readers do not tell why they cannot read something; the checks before and after find most.
-PolygonSoup read_with_cgal(const std::string& unchecked, MeshFormat format) {
-  const std::string bytes = checked(unchecked, format);
   std::istringstream from(bytes);
-  const auto quiet = CGAL::parameters::verbose(false);
   Points points;
   PolygonSoup soup;
   bool read = false;
   try {
-    read = format == MeshFormat::off ? CGAL::IO::read_OFF(from, points, soup.polygons, quiet)
-                                     : CGAL::IO::read_PLY(from, points, soup.polygons, quiet);
+    read = CGAL::IO::read_PLY(from, points, soup.polygons, CGAL::parameters::verbose(false));
   } catch (const std::exception&) {  // a length or count that no memory holds
     read = false;
   }
   if (!read)
-    throw InputError(fmt::format(
-        "cannot be read as {}: a number is missing or is none, or a face names a point that does not exist; export it "
-        "again, or correct the extension",
-        format == MeshFormat::off ? "OFF" : "PLY"));
+    throw InputError(
+        "cannot be read as PLY: a number is missing or is none, or a face names a point that does not exist; export it "
+        "again, or correct the extension");
   soup.points.reserve(points.size());
   for (const auto& p : points) soup.points.emplace_back(p.x(), p.y(), p.z());
   return soup;
@@ -151,8 +96,10 @@ MeshFile read_mesh(std::istream& from, MeshFormat format) {
       file = read_obj(bytes);
       break;
     case MeshFormat::off:
+      file = read_off(bytes);
+      break;
     case MeshFormat::ply:
-      file.soup = read_with_cgal(bytes, format);
+      file.soup = read_ply(bytes);
       break;
   }
   check_soup(file.soup);

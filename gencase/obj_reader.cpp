@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "common/error.hpp"
@@ -44,7 +45,7 @@ Vec3 point_of(const std::vector<std::string>& words, int line) {
   Vec3 point;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto value = number_of<double>(words[k + 1]);
-    if (!value)
+    if (!value || !std::isfinite(*value))
       throw InputError(
           fmt::format("line {}: \"{}\" is no number; correct it or export it again", line, shown(words[k + 1])));
     point[static_cast<Eigen::Index>(k)] = *value;

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -65,10 +67,11 @@ class TextLines {
   }
   /// The number that is the word. Decimal commas are asked about, never guessed.
   [[nodiscard]] double number(std::string_view word) const {
-    if (const auto value = number_of<double>(word)) return *value;
+    const auto value = number_of<double>(word);
+    if (value && std::isfinite(*value)) return *value;
     std::string pointed(word);
     std::replace(pointed.begin(), pointed.end(), ',', '.');
-    if (number_of<double>(pointed))
+    if (pointed != word && number_of<double>(pointed))
       refuse(fmt::format("\"{}\" has a decimal comma; write {} in the whole file", shown(word), shown(pointed)));
     refuse(fmt::format("\"{}\" is no number; correct or remove the line", shown(word)));
   }
@@ -138,6 +141,9 @@ struct GridHead {
   }
 };
 
+/// Some programs write "nan" where a grid has no height.
+bool is_gap(std::string_view word) { return small(std::string(word)) == "nan"; }
+
 SurveyFile read_grid(const fs::path& file) {
   SurveyFile survey;
   TextLines lines(file);
@@ -149,11 +155,15 @@ SurveyFile read_grid(const fs::path& file) {
     if (cells.empty()) continue;
     if (!std::isalpha(static_cast<unsigned char>(cells[0][0]))) break;
     if (cells.size() != 2) lines.refuse("the grid's head has a line that is no word and number; export it again");
-    head.values[small(std::string(cells[0]))] = lines.number(cells[1]);
+    double& value = head.values[small(std::string(cells[0]))];
+    value = is_gap(cells[1]) ? std::numeric_limits<double>::quiet_NaN() : lines.number(cells[1]);
   }
   const double columns = head.value(lines, "ncols");
   const double rows = head.value(lines, "nrows");
   const double cell = head.value(lines, "cellsize");
+  const auto counts = [](double number) { return number >= 1 && number <= 1e9 && std::floor(number) == number; };
+  if (!counts(columns) || !counts(rows) || !(cell > 0))
+    lines.refuse("ncols and nrows need whole numbers from 1, cellsize a number above 0; export the grid again");
   const double x = head.first(lines, "x", cell);
   const double y = head.first(lines, "y", cell);
   const double missing = head.value("nodata_value").value_or(-9999);
@@ -162,14 +172,14 @@ SurveyFile read_grid(const fs::path& file) {
   // Rows run from north to south; a row may be broken into several lines.
   for (bool more = true; more; more = lines.next(line)) {
     for (const std::string_view word : cells_of(line, false)) {
-      const double height = lines.number(word);
+      const double height = is_gap(word) ? missing : lines.number(word);
       const double row = std::floor(count / columns);
       const double column = count++ - row * columns;
-      if (height == missing)
+      if (is_gap(word) || height == missing)
         ++gaps;
       else
         survey.points.emplace_back(x + column * cell, y + (rows - 1 - row) * cell, height);
-      if (height != missing) survey.lines.push_back(lines.number());
+      if (survey.lines.size() < survey.points.size()) survey.lines.push_back(lines.number());
     }
   }
   if (count != rows * columns)
@@ -191,8 +201,15 @@ SurveyFile read_survey(const fs::path& file) {
   if (!fs::is_regular_file(file))
     throw InputError(file.string() + ": there is no such file; check the name, which is relative to the case's folder");
   const std::string extension = extension_of(file);
-  if (extension == ".csv") return read_table(file);
-  return extension == ".xyz" || extension == ".txt" ? read_points(file) : read_grid(file);
+  const bool lists = extension == ".xyz" || extension == ".txt";
+  SurveyFile survey = extension == ".csv" ? read_table(file) : lists ? read_points(file) : read_grid(file);
+  constexpr double farthest = 1e12;  // millimetres from the equator to a pole are 1e10
+  for (std::size_t i = 0; i < survey.points.size(); ++i) {
+    if (survey.points[i].cwiseAbs().maxCoeff() <= farthest) continue;
+    throw InputError(fmt::format("{}:{}: a coordinate is larger than {:g}; correct it, or remove the row",
+                                 file.string(), survey.lines[i], farthest));
+  }
+  return survey;
 }
 
 Repeated merge_repeated(std::vector<Vec3>& points) {

@@ -22,6 +22,10 @@ MeshFile read_stl(const std::string& bytes);
 /// are left out with a remark. Throws InputError "line 4: what is wrong; what to do".
 MeshFile read_obj(const std::string& bytes);
 
+/// Reads the points and faces of an OFF file, one a line; colours and normals are left out. Throws InputError "line 4:
+/// what is wrong; what to do".
+MeshFile read_off(const std::string& bytes);
+
 /// Refuses a file that announces more elements than its bytes can hold, before a reader allocates memory for them.
 /// `least` [bytes] is the size of the smallest element of the format. Throws InputError.
 void check_count(const std::string& what, double announced, double bytes, double least);

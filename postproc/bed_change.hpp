@@ -1,20 +1,14 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "common/profile.hpp"
 
 namespace thalweg {
 
-/// By how much the bed has fallen and risen at most between two profiles.
-struct BedChange {
-  double scour = 0;          // [m] >= 0
-  double scour_at = 0;       // [m] x
-  double deposition = 0;     // [m] >= 0
-  double deposition_at = 0;  // [m] x
-};
-
-/// Compares the `bed` of two profiles at the columns both have; nothing when they share none.
-std::optional<BedChange> bed_change(const Profile& before, const Profile& after);
+/// Rise (+) or fall (-) of the bed between two profiles at the columns of `after` [m]. NaN where the first has no such
+/// column, where no sediment lies before and after, and where the walls below differ: a deck, a piston. Profiles without
+/// a floor are compared as they are.
+std::vector<double> rise_of_bed(const Profile& before, const Profile& after);
 
 }  // namespace thalweg

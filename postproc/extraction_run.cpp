@@ -117,6 +117,7 @@ ExtractionRun extract_run(const RunFolder& run, const Case& resolved, const Extr
   record.info = last.profiles ? last.profiles->info : read_particle_info(record.last_snapshot);
   for (const MeasuredSnapshot& snapshot : done) {
     record.fronts.push_back({snapshot.measures.time, snapshot.measures.front});
+    record.balances.push_back({snapshot.measures.time, snapshot.measures.balance});
   }
   take_profiles(run, settings, done, record);
   record.initial = TimedProfile{done.front().measures.time, {}, record.along_x.front().get().profile};

@@ -9,6 +9,7 @@
 #include "case/case.hpp"
 #include "common/extraction/profile_extraction.hpp"
 #include "common/run_folder.hpp"
+#include "postproc/level_map.hpp"
 #include "postproc/profile_set.hpp"
 
 namespace thalweg {
@@ -16,6 +17,12 @@ namespace thalweg {
 struct FrontSample {
   double time = 0;   // [s]
   double front = 0;  // [m] NaN without water
+};
+
+/// The change of the whole bed up to one snapshot; nothing without a bed.
+struct BalanceSample {
+  double time = 0;  // [s]
+  std::optional<BedBalance> balance;
 };
 
 /// The profile of one snapshot: its value if this pass measured it, otherwise the file that an earlier pass wrote.
@@ -32,6 +39,7 @@ struct SnapshotProfile {
 struct ExtractionRun {
   std::vector<TimedProfile> written;                                // at the case's compare.times
   std::vector<FrontSample> fronts;                                  // all snapshots
+  std::vector<BalanceSample> balances;                              // all snapshots
   std::optional<TimedProfile> initial;                              // of the first snapshot
   std::vector<SnapshotProfile> along_x;                             // of all snapshots, in order of time
   std::map<std::string, std::vector<SnapshotProfile>> along_lines;  // the same by the names of the lines

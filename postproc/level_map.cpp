@@ -25,18 +25,24 @@ std::vector<std::size_t> corners_of(const SamplingGrid& grid, std::size_t i, std
   return {grid.column(i, j), grid.column(i + 1, j), grid.column(i, j + 1), grid.column(i + 1, j + 1)};
 }
 
+/// Height of a column's bed; its floor where that is bare or dry, and NaN on a wall that moves.
+double bed_of(const ColumnLevels& levels, double ColumnLevels::*height) {
+  const bool dry = std::isnan(levels.free_surface);
+  return dry ? levels.floor : levels.*height;
+}
+
 class Balance {
  public:
-  Balance(const LevelMap& before, const LevelMap& after)
-      : after_(after), change_(after.levels.size(), std::numeric_limits<double>::quiet_NaN()) {
+  Balance(const LevelMap& before, const LevelMap& after) : before_(before), after_(after) {
     const SamplingGrid& grid = after.grid;
+    change_.assign(after.levels.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < grid.nx; ++i) {
       for (std::size_t j = 0; j < grid.ny; ++j) {
-        const ColumnLevels* then = before.find(grid, i, j);
-        if (then == nullptr) continue;
         const std::size_t column = grid.column(i, j);
-        change_[column] = after.levels[column].bed - then->bed;
-        take_extremes(change_[column], {grid.x(i), grid.y(j), 0});
+        const Change bed = change_of(i, j, &ColumnLevels::bed);
+        change_[column] = bed.rise;
+        take_extremes(bed, {grid.x(i), grid.y(j), 0});
+        take_resting(change_of(i, j, &ColumnLevels::motionless_bed), {grid.x(i), grid.y(j), 0});
       }
     }
   }
@@ -51,18 +57,44 @@ class Balance {
   }
 
  private:
-  void take_extremes(double change, const Vec3& at) {
-    if (std::isnan(change)) return;
+  struct Change {
+    double rise;  // [m] NaN where the two heights cannot be compared
+    bool of_bed;  // sediment lies there before or after
+  };
+
+  [[nodiscard]] Change change_of(std::size_t i, std::size_t j, double ColumnLevels::*height) const {
+    const ColumnLevels& now = after_.levels[after_.grid.column(i, j)];
+    const ColumnLevels* found = before_.find(after_.grid, i, j);
+    // No fluid was near a column that the first map does not reach: its floor was bare and dry.
+    const double dry = std::numeric_limits<double>::quiet_NaN();
+    const ColumnLevels then = found != nullptr ? *found : ColumnLevels{dry, dry, dry, now.floor};
+    if (!(std::abs(now.floor - then.floor) <= after_.grid.step)) return {dry, false};  // another wall: a deck, a piston
+    if (std::isnan(now.free_surface) && std::isnan(then.free_surface)) return {dry, false};  // perhaps inside a wall
+    const double level = bed_of(now, height);
+    const double before = bed_of(then, height);
+    const double layer = least_layer * after_.grid.step;
+    return {level - before, level - now.floor > layer || before - then.floor > layer};
+  }
+
+  void take_extremes(const Change& change, const Vec3& at) {
+    if (std::isnan(change.rise) || !change.of_bed) return;
     if (!any_) result_.scour_at = result_.deposition_at = at;
     any_ = true;
-    if (-change > result_.scour) {
-      result_.scour = -change;
+    if (-change.rise > result_.scour) {
+      result_.scour = -change.rise;
       result_.scour_at = at;
     }
-    if (change > result_.deposition) {
-      result_.deposition = change;
+    if (change.rise > result_.deposition) {
+      result_.deposition = change.rise;
       result_.deposition_at = at;
     }
+  }
+
+  void take_resting(const Change& change, const Vec3& at) {
+    if (std::isnan(change.rise) || !change.of_bed) return;
+    if (std::max(0.0, -change.rise) <= result_.resting_scour) return;
+    result_.resting_scour = std::max(0.0, -change.rise);
+    result_.resting_scour_at = at;
   }
 
   void add_cell(const std::vector<std::size_t>& corners) {
@@ -74,7 +106,7 @@ class Balance {
     for (const std::size_t column : corners) {
       fell += std::max(0.0, -change_[column]) + (change_[column] - change_[column]);  // NaN stays NaN
       rose += std::max(0.0, change_[column]);
-      thickness += after_.levels[column].bed - after_.levels[column].floor;
+      thickness += bed_of(after_.levels[column], &ColumnLevels::bed) - after_.levels[column].floor;
     }
     if (!std::isnan(fell)) {
       result_.eroded += share * fell;
@@ -83,15 +115,17 @@ class Balance {
     if (!std::isnan(thickness)) result_.sediment_volume += share * thickness;
   }
 
+  const LevelMap& before_;
   const LevelMap& after_;
-  std::vector<double> change_;
+  std::vector<double> change_;  // [m] of each column
   BedBalance result_;
   bool any_ = false;
 };
 
-}  // namespace
-
-double LevelMap::at(double ColumnLevels::*height, double x, double y) const {
+/// A height between columns, linear in x and y; NaN where columns that have it weigh less than asked for.
+template <class Height>
+double between(const LevelMap& map, double x, double y, const Height& height, double least_weight = 0.5) {
+  const SamplingGrid& grid = map.grid;
   const Place px = place_of(x, grid.step, grid.first_x);
   const Place py = grid.ny == 1 ? Place{0, 0} : place_of(y, grid.step, grid.first_y);
   double sum = 0;
@@ -101,12 +135,22 @@ double LevelMap::at(double ColumnLevels::*height, double x, double y) const {
     const long j = py.index + dj;
     if (i < 0 || j < 0 || i >= static_cast<long>(grid.nx) || j >= static_cast<long>(grid.ny)) continue;
     const double share = (di == 1 ? px.share : 1 - px.share) * (dj == 1 ? py.share : 1 - py.share);
-    const double value = levels[grid.column(static_cast<std::size_t>(i), static_cast<std::size_t>(j))].*height;
+    const double value = height(map.levels[grid.column(static_cast<std::size_t>(i), static_cast<std::size_t>(j))]);
     if (std::isnan(value)) continue;
     sum += share * value;
     weight += share;
   }
-  return weight >= 0.5 ? sum / weight : std::numeric_limits<double>::quiet_NaN();
+  return weight > 0 && weight >= least_weight ? sum / weight : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+double LevelMap::at(double ColumnLevels::*height, double x, double y) const {
+  const auto of_bed = [height](const ColumnLevels& column) { return column.*height; };
+  const double any = between(*this, x, y, of_bed, 0);
+  if (!std::isnan(any)) return between(*this, x, y, of_bed);
+  // Dry all around: the floor. Beside a bed it may be the top of a wall.
+  return between(*this, x, y, [height](const ColumnLevels& column) { return bed_of(column, height); });
 }
 
 const ColumnLevels* LevelMap::find(const SamplingGrid& like, std::size_t i, std::size_t j) const {

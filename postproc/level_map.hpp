@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,19 +13,22 @@ struct LevelMap {
   SamplingGrid grid;
   std::vector<ColumnLevels> levels;  // SamplingGrid::column
 
-  /// A height between columns, linear in x and y: the columns of a cell that have none count for nothing; NaN where
-  /// these are more than half.
+  /// Height of the bed (or of the sediment at rest) between columns, linear in x and y. The columns of a cell that have none
+  /// count for nothing; NaN where these are more than half. Where all are dry, the floor.
   [[nodiscard]] double at(double ColumnLevels::*height, double x, double y) const;
   /// The same node's levels, if the map has it; `like` has the map's step.
   [[nodiscard]] const ColumnLevels* find(const SamplingGrid& like, std::size_t i, std::size_t j) const;
 };
 
-/// The change of the bed between two maps. Volumes are per metre of width in 2-D [m^2].
+/// The change of the bed between two maps. The bed is what sediment lies on: a column counts if sediment lies in it, a layer
+/// at least, before or after, on the same wall, which does not move. Volumes are per metre of width in 2-D [m^2].
 struct BedBalance {
-  double scour = 0;  // [m] deepest fall, >= 0
+  double scour = 0;  // [m] deepest fall of the bed, >= 0: the scour depth
   Vec3 scour_at = Vec3::Zero();
   double deposition = 0;  // [m] highest rise, >= 0
   Vec3 deposition_at = Vec3::Zero();
+  double resting_scour = std::numeric_limits<double>::quiet_NaN();  // [m] of the sediment at rest; NaN if unknown
+  Vec3 resting_scour_at = Vec3::Zero();
   double eroded = 0;           // [m^3] where the bed fell
   double deposited = 0;        // [m^3] where it rose
   double sediment_volume = 0;  // [m^3] of `after`, between bed and floor

@@ -41,6 +41,15 @@ std::vector<BalanceColumn> balance_columns(int dimension) {
       {{"deposition_y", "m"},
        [](const BedBalance& b) { return b.deposition_at.y(); },
        [](BedBalance& b, double v) { b.deposition_at.y() = v; }},
+      {{"resting_scour", "m"},
+       [](const BedBalance& b) { return b.resting_scour; },
+       [](BedBalance& b, double v) { b.resting_scour = v; }},
+      {{"resting_scour_x", "m"},
+       [](const BedBalance& b) { return b.resting_scour_at.x(); },
+       [](BedBalance& b, double v) { b.resting_scour_at.x() = v; }},
+      {{"resting_scour_y", "m"},
+       [](const BedBalance& b) { return b.resting_scour_at.y(); },
+       [](BedBalance& b, double v) { b.resting_scour_at.y() = v; }},
       {{"eroded", volume}, [](const BedBalance& b) { return b.eroded; }, [](BedBalance& b, double v) { b.eroded = v; }},
       {{"deposited", volume},
        [](const BedBalance& b) { return b.deposited; },
@@ -158,7 +167,8 @@ void write_measures(const RunFolder& run, const std::vector<MeasuredSnapshot>& d
   write_fronts(run.profiles() / "front.csv", done, spacing);
   CsvTable series(series_columns(resolved));
   series.comments.emplace_back(
-      "one row a snapshot; scour and deposition: largest fall and rise of the bed since the first snapshot; eroded and "
+      "one row a snapshot, of the whole bed; scour and deposition: largest fall and rise of the bed (top of the "
+      "sediment, moving or not) since the first snapshot; resting_scour: the same of the sediment at rest; eroded and "
       "deposited: volumes between the two beds, pores included");
   for (const MeasuredSnapshot& snapshot : done) series.add_row(series_cells(snapshot.measures, resolved));
   series.write(run.profiles() / "series.csv");

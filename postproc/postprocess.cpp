@@ -7,6 +7,7 @@
 
 #include "case/reader/case_file.hpp"
 #include "common/run_folder.hpp"
+#include "common/warnings.hpp"
 #include "common/whole_file.hpp"
 #include "postproc/comparison.hpp"
 #include "postproc/embedded.hpp"
@@ -114,6 +115,7 @@ Exit postprocess(const PostprocessOptions& options) {
   input.shortfall = shortfall_of(run, input.extraction.last_time, input.resolved.output.end);
   if (!input.shortfall.empty()) input.warnings.push_back(input.shortfall);
   input.warnings.insert(input.warnings.end(), input.extraction.warnings.begin(), input.extraction.warnings.end());
+  for (std::string& warning : warnings_of_programs(run)) input.warnings.push_back(std::move(warning));
   write_whole_text(run.view_script(), [](std::ostream& stream) { stream << embedded::view_script; });
   print_extraction(input.extraction, run);
 

@@ -5,6 +5,7 @@
 
 #include "common/error.hpp"
 #include "common/run_folder.hpp"
+#include "common/shown.hpp"
 
 namespace thalweg {
 namespace {
@@ -43,7 +44,8 @@ void take_initial(ProfileSet& set) {
 
 // A label people recognise: the folder's name, or its parent's where the folder is just called "profiles".
 std::string label_of(const fs::path& path) {
-  fs::path folder = fs::is_directory(path) ? path.lexically_normal() : path.lexically_normal().parent_path();
+  std::error_code too_long;
+  fs::path folder = fs::is_directory(path, too_long) ? path.lexically_normal() : path.lexically_normal().parent_path();
   if (folder.filename().empty()) folder = folder.parent_path();
   if (folder.filename() == "profiles") folder = folder.parent_path();
   const std::string name = folder.filename().string();
@@ -67,8 +69,9 @@ bool holds_profiles(const fs::path& folder) {
 
 ProfileSet read_profile_set(const fs::path& folder_or_file, const std::string& label, SourceKind kind) {
   ProfileSet set{label, kind, folder_or_file, {}};
-  if (!fs::exists(folder_or_file)) {
-    throw InputError(folder_or_file.string() +
+  std::error_code too_long;
+  if (!fs::exists(folder_or_file, too_long)) {
+    throw InputError((too_long ? shown(folder_or_file.string()) : folder_or_file.string()) +
                      ": there is no such file or folder; name a profile (t0.250.csv), a folder of them or a run");
   }
   if (fs::is_regular_file(folder_or_file)) {
@@ -106,9 +109,15 @@ std::vector<ProfileSet> read_named_sets(const std::vector<std::string>& argument
   std::vector<ProfileSet> sets;
   for (const std::string& argument : arguments) {
     const std::size_t equals = argument.find('=');
-    const bool named = equals != std::string::npos && !fs::exists(argument);
+    std::error_code too_long;  // a path can be no file because of its length
+    const bool named = equals != std::string::npos && !fs::exists(argument, too_long);
     const fs::path path = named ? argument.substr(equals + 1) : argument;
     const std::string label = named ? argument.substr(0, equals) : label_of(path);
+    constexpr std::size_t longest = 60;  // it stands in tables, legends and names of files
+    if (named && (label.empty() || label.size() > longest)) {
+      throw InputError("--compare " + shown(argument) + ": the label has " + std::to_string(label.size()) +
+                       " characters; give 1 to " + std::to_string(longest) + " before the =");
+    }
     ProfileSet set = read_profile_set(path, label, SourceKind::other);
     const auto known =
         std::find_if(sets.begin(), sets.end(), [&](const ProfileSet& other) { return other.label == label; });

@@ -52,11 +52,7 @@ void write_fronts(const fs::path& file, const ReportInput& input) {
       const TimedProfile* timed = set.at(row.time);
       const bool is_model = set.kind == SourceKind::run || set.kind == SourceKind::mesh;
       const MissingColumn missing = is_model ? MissingColumn::dry : MissingColumn::unknown;
-      double front = timed != nullptr ? water_front(timed->profile, {}, least_depth, missing) : Profile::missing;
-      for (const FrontSample& sample : input.extraction.fronts) {
-        // Without sediment the run's profile alone does not say where the floor is; the extraction knew.
-        if (set.kind == SourceKind::run && std::abs(sample.time - row.time) <= same_time) front = sample.front;
-      }
+      const double front = timed != nullptr ? water_front(timed->profile, least_depth, missing) : Profile::missing;
       cells.push_back(std::isnan(front) ? "" : fmt::format("{:.5f}", front));
     }
     table.add_row(std::move(cells));
@@ -106,8 +102,16 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
 }  // namespace
 
 bool write_report(ReportInput& input) {
+  // Those of an earlier run would pass for this one's where gnuplot cannot draw.
+  for (const char* made : {"pictures", "data"}) fs::remove_all(input.run.report() / made);
   input.bed_history = write_bed_history(input.run.report() / "data" / "bed_change.csv", input);
   const fs::path pictures = input.run.report() / "pictures";
+  if (const std::size_t old = report_sections::old_paraview_pictures(input); old > 0) {
+    input.warnings.push_back(
+        fmt::format("pictures in report/paraview that are older than the snapshots are left out ({}); draw them again: "
+                    "pvbatch view.py --pictures report/paraview",
+                    old));
+  }
   bool drawn = true;
   for (const fs::path& script : write_scripts(input, pictures)) {
     drawn = drawn && run_gnuplot(script) == GnuplotResult::drawn;

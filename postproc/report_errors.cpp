@@ -139,7 +139,15 @@ std::string extremes(const ReportInput& input) {
   if (rows.empty()) return "";
   return "<h3>Front, deepest scour and highest deposition</h3>\n" +
          html::table({"quantity", "t [s]", "compared [m]", "against [m]", "difference [m]"}, rows, "lrrrr") +
-         "<p class=\"small\">Numbers: <a href=\"scalars.csv\">report/scalars.csv</a>.</p>\n";
+         fmt::format(
+             "<p class=\"small\">Along the profile{}, within the range compared. Front: largest x with more than {:g} "
+             "mm of water, for every method. Scour and deposition: fall and rise of the bed, the top of the "
+             "sediment whether it moves or not, since the start. Numbers: <a "
+             "href=\"scalars.csv\">report/scalars.csv</a>; of the whole bed, this run's alone: <a "
+             "href=\"../profiles/series.csv\">profiles/series.csv</a>.</p>\n",
+             input.resolved.info.dimension == 3 ? fmt::format(" in the plane y = {:g} m", input.extraction.plane_y)
+                                                : "",
+             1e3 * least_layer * input.extraction.info.spacing);
 }
 
 }  // namespace

@@ -95,16 +95,38 @@ const ProfileSet& held_against(const ReportInput& input) {
   return input.sets.front();
 }
 
-std::vector<fs::path> paraview_pictures(const ReportInput& input) {
-  std::vector<fs::path> pictures;
-  const fs::path folder = input.run.report() / "paraview";
-  if (!fs::is_directory(folder)) return pictures;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".png") pictures.push_back(entry.path());
+// When the run wrote its first snapshot; the beginning of all times without one.
+fs::file_time_type start_of_run(const ReportInput& input) {
+  std::error_code ignored;
+  fs::file_time_type first = fs::file_time_type::max();
+  for (const auto& entry : fs::directory_iterator(input.run.snapshots(), ignored)) {
+    if (entry.path().extension() == ".vtp") first = std::min(first, fs::last_write_time(entry.path(), ignored));
   }
-  std::sort(pictures.begin(), pictures.end());
-  return pictures;
+  return first == fs::file_time_type::max() ? fs::file_time_type::min() : first;
 }
+
+struct ParaviewPictures {
+  std::vector<fs::path> of_run;
+  std::size_t older = 0;  // than the run
+};
+
+ParaviewPictures find_paraview_pictures(const ReportInput& input) {
+  ParaviewPictures found;
+  const fs::file_time_type start = start_of_run(input);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(input.run.report() / "paraview", ignored)) {
+    if (entry.path().extension() != ".png") continue;
+    if (fs::last_write_time(entry.path(), ignored) < start) {
+      ++found.older;
+    } else {
+      found.of_run.push_back(entry.path());
+    }
+  }
+  std::sort(found.of_run.begin(), found.of_run.end());
+  return found;
+}
+
+std::vector<fs::path> paraview_pictures(const ReportInput& input) { return find_paraview_pictures(input).of_run; }
 
 // view.py names a picture by its time: t0.500.png.
 std::string paraview_figure(const fs::path& picture) {
@@ -128,6 +150,8 @@ std::string scene(const ReportInput& input, const fs::path& pictures) {
   }
   return text + paraview_figure(shots.back());
 }
+
+std::size_t old_paraview_pictures(const ReportInput& input) { return find_paraview_pictures(input).older; }
 
 std::string earlier_scenes(const ReportInput& input) {
   const std::vector<fs::path> shots = paraview_pictures(input);
@@ -186,12 +210,15 @@ std::string space_time(const ReportInput& input, const fs::path& pictures) {
   const BedHistory& bed = input.bed_history;
   if (bed.times == 0) return "";
   return "<h2>The bed over place and time</h2>\n" +
-         figure(html::inline_png(pictures / "space_time.png", "Change of the bed over place and time"),
-                fmt::format(
-                    "Change of the bed's level since the start at {} times: brown where it has risen, blue-green where "
-                    "it has sunk. The line is the water's front. Largest change: {:.1f} mm. Numbers: <a "
-                    "href=\"data/bed_change.csv\">report/data/bed_change.csv</a>.",
-                    bed.times, 1e3 * bed.largest));
+         figure(
+             html::inline_png(pictures / "space_time.png", "Change of the bed over place and time"),
+             fmt::format(
+                 "Change of the bed's level since the start{} at {} times: brown where it has risen, blue-green where "
+                 "it has sunk. The line is the water's front. Largest change: {:.1f} mm. Numbers: <a "
+                 "href=\"data/bed_change.csv\">report/data/bed_change.csv</a>.",
+                 input.resolved.info.dimension == 3 ? fmt::format(" in the plane y = {:g} m", input.extraction.plane_y)
+                                                    : "",
+                 bed.times, 1e3 * bed.largest));
 }
 
 std::string space_view(const SpaceScene& scene) {

@@ -27,6 +27,9 @@ std::string model(const ReportInput& input);
 std::string remarks(const ReportInput& input);
 std::string provenance(const ReportInput& input);
 
+/// Pictures from ParaView that are older than the run: of an earlier one in the same folder. They are left out.
+std::size_t old_paraview_pictures(const ReportInput& input);
+
 /// The 3-D view with its slider, or nothing.
 std::string space_view(const SpaceScene& scene);
 

@@ -6,6 +6,7 @@
 
 #include "common/csv.hpp"
 #include "common/extraction/profile_extraction.hpp"
+#include "postproc/bed_change.hpp"
 #include "postproc/curve_errors.hpp"
 
 namespace thalweg {
@@ -13,8 +14,10 @@ namespace {
 
 constexpr double missing = Profile::missing;
 
-// The front a source's own front.csv gives at a time, or the one its profile shows.
+// The front of a model as its profile shows it: its own front.csv may go by another depth, half of another spacing. That
+// of a measurement as its front.csv gives it, or else its profile.
 double front_at(const ProfileSet& set, const TimedProfile& timed, double least_depth) {
+  if (set.kind != SourceKind::measured) return water_front(timed.profile, least_depth, MissingColumn::dry);
   const std::filesystem::path file = timed.file.parent_path() / "front.csv";
   if (std::filesystem::exists(file)) {
     const CsvTable table = CsvTable::read(file);
@@ -23,8 +26,7 @@ double front_at(const ProfileSet& set, const TimedProfile& timed, double least_d
       if (std::abs(times[row] - timed.time) <= same_time) return table.numbers("front", "m")[row];
     }
   }
-  const bool is_model = set.kind != SourceKind::measured;
-  return water_front(timed.profile, {}, least_depth, is_model ? MissingColumn::dry : MissingColumn::unknown);
+  return water_front(timed.profile, least_depth, MissingColumn::unknown);
 }
 
 struct Extremes {
@@ -35,10 +37,14 @@ struct Extremes {
 
 Extremes extremes_of(const Profile& initial, const Profile& now, const ComparedRange& range) {
   Extremes found;
+  // Columns of one source, which knows its walls: what is no bed does not count.
+  const bool walls_known = !initial.floor.empty() && !now.floor.empty() && initial.x == now.x;
+  const std::vector<double> rises = walls_known ? rise_of_bed(initial, now) : std::vector<double>();
   for (std::size_t i = 0; i < now.bed.size(); ++i) {
     const std::optional<double> before = value_at(initial.x, initial.bed, now.x[i]);
     if (now.x[i] < range.from || now.x[i] > range.to || std::isnan(now.bed[i]) || !before) continue;
-    const double rise = now.bed[i] - *before;
+    const double rise = walls_known ? rises[i] : now.bed[i] - *before;
+    if (std::isnan(rise)) continue;
     if (!(std::max(0.0, -rise) <= found.scour)) {
       found.scour = std::max(0.0, -rise);
       found.scour_at = now.x[i];

@@ -8,7 +8,6 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +18,8 @@
 #include "common/error.hpp"
 #include "common/extraction/parts.hpp"
 #include "common/io/particle_file.hpp"
+#include "common/io/poly_data_file.hpp"
 #include "common/io/series.hpp"
-#include "common/io/vtk_errors.hpp"
 #include "postproc/embedded.hpp"
 #include "postproc/html.hpp"
 
@@ -35,19 +34,6 @@ constexpr vtkIdType most_triangles = 20'000;
 template <class T>
 std::string base64_of(const std::vector<T>& numbers) {
   return html::base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
-}
-
-vtkSmartPointer<vtkPolyData> read_surface(const fs::path& file) {
-  const vtkNew<VtkErrors> errors;
-  const vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, errors);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (errors->any()) {
-    throw InputError(file.string() + ": cannot be read (" + errors->first() +
-                     "); make the surfaces again with thalweg-postproc");
-  }
-  return reader->GetOutput();
 }
 
 // Triangles, and no more of them than the page can hold.
@@ -123,7 +109,7 @@ void add_surfaces(const fs::path& series, const char* name, std::map<double, nlo
   if (!fs::exists(series)) return;
   for (const SeriesEntry& entry : read_series(series)) {
     const fs::path file = series.parent_path() / entry.file;
-    const vtkSmartPointer<vtkPolyData> surface = triangles_of(read_surface(file), scene);
+    const vtkSmartPointer<vtkPolyData> surface = triangles_of(read_poly_data(file), scene);
     if (surface->GetNumberOfPolys() == 0) continue;
     frames[entry.time][name] = json_of(surface, largest);
   }

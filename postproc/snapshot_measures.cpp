@@ -17,7 +17,7 @@ double rounded(double length, double spacing) {
 
 // A profile without the digits that mean nothing.
 Profile rounded(Profile profile, double spacing) {
-  for (auto* values : {&profile.x, &profile.free_surface, &profile.bed, &profile.moving_bed}) {
+  for (auto* values : {&profile.x, &profile.free_surface, &profile.bed, &profile.moving_bed, &profile.floor}) {
     for (double& value : *values) value = rounded(value, spacing);
   }
   return profile;

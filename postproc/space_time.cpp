@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/csv.hpp"
+#include "postproc/bed_change.hpp"
 
 namespace thalweg {
 namespace {
@@ -26,21 +27,19 @@ BedHistory write_bed_history(const fs::path& file, const ReportInput& input) {
   if (profiles.size() < 2 || profiles.front().profile.bed.empty()) return history;
   const Profile& first = profiles.front().profile;
   CsvTable table({{"x", "m"}, {"time", "s"}, {"from", "s"}, {"to", "s"}, {"change", "m"}});
-  table.comments.emplace_back("bed minus the bed of the first time, from the run's profiles");
+  table.comments.emplace_back(
+      "bed minus the bed of the first time, from the run's profiles; where sediment lies then or now");
   for (std::size_t n = 0; n < profiles.size(); ++n) {
     const double time = profiles[n].time;
     const double from = n > 0 ? (profiles[n - 1].time + time) / 2 : time;
     const double to = n + 1 < profiles.size() ? (time + profiles[n + 1].time) / 2 : time;
     const Profile& now = profiles[n].profile;
-    for (std::size_t i = 0, k = 0; i < now.x.size() && !now.bed.empty(); ++i) {
-      constexpr double same_place = 1e-9;  // [m]
-      while (k < first.x.size() && first.x[k] < now.x[i] - same_place) ++k;
-      if (k == first.x.size() || std::abs(first.x[k] - now.x[i]) > same_place) continue;
-      const double change = now.bed[i] - first.bed[k];
-      if (std::isnan(change)) continue;
-      history.largest = std::max(history.largest, std::abs(change));
+    const std::vector<double> rise = rise_of_bed(first, now);
+    for (std::size_t i = 0; i < now.x.size(); ++i) {
+      if (std::isnan(rise[i])) continue;
+      history.largest = std::max(history.largest, std::abs(rise[i]));
       table.add_row(
-          {csv_number(now.x[i]), csv_number(time), csv_number(from), csv_number(to), fmt::format("{:.6g}", change)});
+          {csv_number(now.x[i]), csv_number(time), csv_number(from), csv_number(to), fmt::format("{:.6g}", rise[i])});
     }
   }
   table.write(file);

@@ -113,23 +113,23 @@ std::array<double, 3> point_of(vtkPolyData* data, vtkIdType i) {
   return point;
 }
 
-// The cells that touch the fluid's body. The others are the skin of a floor that is dry.
-vtkSmartPointer<vtkCellArray> cells_on_fluid(vtkCellArray* cells, const std::vector<char>& on_fluid) {
+// The cells that touch the body. The others are the skin of a floor that is bare of it.
+vtkSmartPointer<vtkCellArray> cells_on_body(vtkCellArray* cells, const std::vector<char>& on_body) {
   auto kept = vtkSmartPointer<vtkCellArray>::New();
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
   for (cells->InitTraversal(); cells->GetNextCell(count, points) != 0;) {
-    const bool touches = std::any_of(points, points + count, [&](vtkIdType p) { return on_fluid[p] != 0; });
+    const bool touches = std::any_of(points, points + count, [&](vtkIdType p) { return on_body[p] != 0; });
     if (touches) kept->InsertNextCell(count, points);
   }
   return kept;
 }
 
-// The part that touches the fluid and lies outside walls. A point touches the fluid if one of the nodes around it belongs
-// to the fluid's body.
-vtkSmartPointer<vtkPolyData> trimmed(const SurfaceField& field, const Image& image, vtkPolyData* contour) {
+// The part that touches the body and lies outside walls. A point touches it if one of the nodes around it belongs to it.
+vtkSmartPointer<vtkPolyData> trimmed(const SurfaceField& field, const ConnectedBody& body, const Image& image,
+                                     vtkPolyData* contour) {
   const vtkIdType count = contour->GetNumberOfPoints();
-  std::vector<char> on_fluid(static_cast<std::size_t>(count), 0);
+  std::vector<char> touches(static_cast<std::size_t>(count), 0);
   vtkNew<vtkFloatArray> walls;
   walls->SetName(wall_array);
   walls->SetNumberOfValues(count);
@@ -137,9 +137,8 @@ vtkSmartPointer<vtkPolyData> trimmed(const SurfaceField& field, const Image& ima
   tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count), [&](const auto& range) {
     for (vtkIdType i = range.begin(); i < range.end(); ++i) {
       const std::array<double, 3> point = point_of(contour, i);
-      const double fluid =
-          image.sample(point, [&](std::size_t node) { return field.bodies.fluid.belongs(node) ? 1.0 : 0.0; });
-      on_fluid[static_cast<std::size_t>(i)] = fluid > 0 ? 1 : 0;
+      const double share = image.sample(point, [&](std::size_t node) { return body.belongs(node) ? 1.0 : 0.0; });
+      touches[static_cast<std::size_t>(i)] = share > 0 ? 1 : 0;
       wall[i] = static_cast<float>(image.sample(point, [&](std::size_t node) { return field.sums.wall_share(node); }));
     }
   });
@@ -148,9 +147,9 @@ vtkSmartPointer<vtkPolyData> trimmed(const SurfaceField& field, const Image& ima
   wet->GetPointData()->SetNormals(contour->GetPointData()->GetNormals());
   wet->GetPointData()->SetScalars(walls);
   if (image.is_plane()) {
-    wet->SetLines(cells_on_fluid(contour->GetLines(), on_fluid));
+    wet->SetLines(cells_on_body(contour->GetLines(), touches));
   } else {
-    wet->SetPolys(cells_on_fluid(contour->GetPolys(), on_fluid));
+    wet->SetPolys(cells_on_body(contour->GetPolys(), touches));
   }
   vtkNew<vtkClipPolyData> clip;
   clip->SetInputData(wet);
@@ -197,7 +196,7 @@ vtkSmartPointer<vtkPolyData> placed(const Image& image, vtkPolyData* counted) {
 
 vtkSmartPointer<vtkPolyData> surface_of(const SurfaceField& field, const ConnectedBody& body) {
   const Image image(field, body);
-  vtkSmartPointer<vtkPolyData> open = trimmed(field, image, image.contour());
+  vtkSmartPointer<vtkPolyData> open = trimmed(field, body, image, image.contour());
   return placed(image, image.is_plane() ? joined(open) : open);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include "common/io/run_results.hpp"
 #include "common/process.hpp"
 #include "common/run_folder.hpp"
+#include "common/warnings.hpp"
 
 namespace thalweg {
 namespace {
@@ -28,6 +30,12 @@ using Words = std::vector<std::string>;
 
 Words with(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+Words set_words(const Words& overrides) {
+  Words words;
+  for (const std::string& text : overrides) words.insert(words.end(), {"--set", text});
   return words;
 }
 
@@ -53,8 +61,7 @@ void add_run(std::vector<Stage>& stages, const PipelineOptions& options, const R
 }
 
 std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, const std::string& out) {
-  Words overrides;
-  for (const std::string& text : options.overrides) overrides.insert(overrides.end(), {"--set", text});
+  const Words overrides = set_words(options.overrides);
   std::vector<Stage> stages;
   add_run(stages, options, RunFolder{out}, overrides, scene.output.end, true);
   for (int run = 1, times = 2; run < scene.compare.runs; ++run, times *= 2) {
@@ -64,7 +71,7 @@ std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, 
     stages.push_back({"postproc", {folder.root.string()}, false});
   }
   if (options.foam) {
-    stages.push_back({"foam", with({options.case_path.string(), "--out", out}, overrides)});
+    stages.push_back({"foam", with({options.case_path.string(), "--out", out}, overrides), false});
   }
   stages.push_back({"postproc", {out, "--report"}});
   return stages;
@@ -87,51 +94,82 @@ void announce(const std::string& line) {
   std::fflush(stdout);  // before the stage's own lines
 }
 
+/// The reason why there is no mesh model of the scene here, in a line; empty if there is one. It costs a moment, where the
+/// particles may take hours.
+std::string reason_against_foam(const PipelineOptions& options, const Words& overrides) {
+  if (!on_path("blockMesh")) return "OpenFOAM is not installed; get it with: apt-get install openfoam";
+  const Words arguments{stage_program("foam").string(), options.case_path.string(), "--check"};
+  ChildProcess foam(with(arguments, overrides), {.piped = STDERR_FILENO});
+  std::string said;
+  while (const auto line = foam.read_line()) said = *line;
+  if (foam.wait() == 0) return "";
+  constexpr std::string_view mark = "error: ";
+  return said.starts_with(mark) ? said.substr(mark.size()) : said;
+}
+
+/// True for a stage that its own fault has ended, and no signal.
+bool has_failed(int status) {
+  return status == static_cast<int>(Exit::run_failed) || status == static_cast<int>(Exit::input_wrong);
+}
+
+int run_stage(const Stage& stage) {
+  announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
+  const auto begin = std::chrono::steady_clock::now();
+  const int status = run_in_foreground(with({stage_program(stage.name).string()}, stage.arguments));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (status == 0) announce(fmt::format("== {} done in {:.1f} s", stage.name, seconds));
+  return status;
+}
+
+/// Runs the stages in turn, and the report in any case: a mesh model or a coarser run that fails is a line in it.
+int run_stages(const std::vector<Stage>& stages, const RunFolder& folder) {
+  int outcome = static_cast<int>(Exit::done);
+  for (const Stage& stage : stages) {
+    const int status = run_stage(stage);
+    if (status == 0) continue;
+    if (stage.needed || !has_failed(status)) {
+      fmt::print(stderr, "thalweg run: {} ended with status {}; the stages after it were not run\n", stage.name,
+                 status);
+      return status;
+    }
+    const bool mesh = stage.name == "foam";
+    const std::string what = mesh ? "" : fmt::format("{} of a coarser run ", stage.name);
+    WarningFile(folder, mesh ? "foam" : "run")
+        .add(fmt::format("{}failed with status {}; the report does without what is missing", what, status));
+    announce(fmt::format("== {} failed; the report does without it", stage.name));
+    if (mesh) outcome = static_cast<int>(Exit::run_failed);
+  }
+  return outcome;
+}
+
 }  // namespace
 
 int run_pipeline(const PipelineOptions& given) {
   PipelineOptions options = given;
   const Case scene = read_case(options.case_path, options.overrides);
   const std::string out = (options.out.empty() ? std::filesystem::path("out") / scene.info.name : options.out).string();
-  if (options.foam && !on_path("blockMesh")) {
-    announce("foam: skipped, because OpenFOAM is not installed; get it with: apt-get install openfoam");
-    options.foam = false;
-  }
-
-  const bool moves = std::any_of(scene.shapes.begin(), scene.shapes.end(),
-                                 [](const Shape& shape) { return shape.role == ShapeRole::moving_wall; });
-  if (options.foam && moves) {
-    announce("foam: skipped, because the mesh model has no moving walls");
-    options.foam = false;
-  }
-
   const RunFolder folder{out};
   if (options.resume) require_same_case(folder, scene);
   if (!options.resume && !options.force) {
     refuse_to_replace(folder, "continue it with --resume, replace it with --force, or give another --out");
   }
-  const std::vector<Stage> stages = stages_of(options, scene, out);
-  for (const Stage& stage : stages) (void)stage_program(stage.name);  // throws before the first one runs
-  for (const Stage& stage : stages) {
-    announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
-    const auto begin = std::chrono::steady_clock::now();
-    std::vector<std::string> command{stage_program(stage.name).string()};
-    command.insert(command.end(), stage.arguments.begin(), stage.arguments.end());
-    const int status = run_in_foreground(command);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (status == static_cast<int>(Exit::run_failed) && !stage.needed) {
-      announce(fmt::format("== {} failed; the report does without this coarser run", stage.name));
-      continue;
-    }
-    if (status != 0) {
-      fmt::print(stderr, "thalweg run: {} ended with status {}; the stages after it were not run\n", stage.name,
-                 status);
-      return status;
-    }
-    announce(fmt::format("== {} done in {:.1f} s", stage.name, seconds));
+  std::string against_foam;
+  if (options.foam) against_foam = reason_against_foam(options, set_words(options.overrides));
+  if (!against_foam.empty()) {
+    announce("foam: left out: " + against_foam);
+    options.foam = false;
   }
-  announce(fmt::format("report: {}", (RunFolder{out}.report() / "index.html").string()));
-  return static_cast<int>(Exit::done);
+  std::vector<Stage> stages = stages_of(options, scene, out);
+  for (const Stage& stage : stages) (void)stage_program(stage.name);  // throws before the first one runs
+  const Stage report = stages.back();
+  stages.pop_back();
+  const int outcome = run_stages(stages, folder);
+  if (outcome != static_cast<int>(Exit::done) && outcome != static_cast<int>(Exit::run_failed)) return outcome;
+  if (!against_foam.empty()) WarningFile(folder, "foam").add("left out: " + against_foam);
+  const int drawn = run_stages({report}, folder);
+  if (drawn != static_cast<int>(Exit::done)) return drawn;
+  announce(fmt::format("report: {}", (folder.report() / "index.html").string()));
+  return outcome;
 }
 
 }  // namespace thalweg

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "common/extraction/connected_body.hpp"
 
@@ -9,12 +11,12 @@ namespace thalweg {
 /// Layers thinner than this share of the spacing count as absent: half of one layer of particles.
 inline constexpr double least_layer = 0.5;
 
-/// Heights in one column of a grid [m]; NaN throughout where there is less than a layer of anything.
+/// Heights in one column of a grid [m]; NaN where there is less than a layer of anything.
 struct ColumnLevels {
   double free_surface = 0;
-  double bed = 0;             // top of the sediment, moving or not; the floor where that is bare
-  double motionless_bed = 0;  // top of the sediment at rest; the floor where nothing rests
-  double floor = 0;           // the wall under the fluid; also where the column is empty
+  double bed = 0;  // top of the sediment, moving or not; the floor where that is bare; NaN on a wall that moves
+  double motionless_bed = 0;  // top of the sediment at rest; the floor where nothing rests; NaN on a wall that moves
+  double floor = 0;           // the wall under the fluid; also where the column is empty, but for walls that move
 };
 
 /// A sheet of fluid over a gap is at least this many spacings wide; less is spray.
@@ -33,6 +35,13 @@ struct Bodies {
   ConnectedBody fluid;
   std::optional<ConnectedBody> sediment;
   std::optional<ConnectedBody> resting;
+
+ private:
+  [[nodiscard]] bool lies_on_moving_wall(std::size_t column, double height) const;
+
+  std::vector<double> dry_floor_;                           // [m] of each column
+  std::map<std::size_t, std::vector<double>> moving_tops_;  // [m] of walls that move, by column
+  double spacing_;                                          // [m]
 };
 
 }  // namespace thalweg

@@ -56,19 +56,21 @@ ExtractedProfile extract_profile(const ClassifiedParticles& set, const Extractio
     const ColumnLevels levels = bodies.levels(i);
     profile.x.push_back(grid.x(i));
     profile.free_surface.push_back(levels.free_surface);
-    result.floor.push_back(levels.floor);
+    profile.floor.push_back(levels.floor);
     if (set.has_sediment) profile.bed.push_back(levels.bed);
     if (set.rest_is_known) profile.moving_bed.push_back(levels.motionless_bed);
   }
-  result.front = water_front(profile, result.floor, bodies.least_thickness);
+  result.front = water_front(profile, bodies.least_thickness);
   return result;
 }
 
-double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth,
-                   MissingColumn missing) {
-  const std::vector<double>& ground = profile.bed.empty() ? floor : profile.bed;
-  if (profile.free_surface.empty() || ground.size() != profile.x.size()) return Profile::missing;
-  const auto depth = [&](std::size_t i) { return profile.free_surface[i] - ground[i]; };
+double water_front(const Profile& profile, double least_depth, MissingColumn missing) {
+  if (profile.free_surface.empty() || (profile.bed.empty() && profile.floor.empty())) return Profile::missing;
+  const auto depth = [&](std::size_t i) {
+    const bool on_bed = !profile.bed.empty() && !std::isnan(profile.bed[i]);
+    const double ground = on_bed ? profile.bed[i] : profile.floor.empty() ? Profile::missing : profile.floor[i];
+    return profile.free_surface[i] - ground;
+  };
   for (std::size_t i = profile.x.size(); i-- > 0;) {
     if (!(depth(i) > least_depth)) continue;
     const bool last = i + 1 == profile.x.size();

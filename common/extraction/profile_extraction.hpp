@@ -22,10 +22,9 @@ struct ExtractionSettings {
   double rest_speed = 0.01;     // [m/s] slower sediment rests; where there is State, deposits only
 };
 
-/// A profile with the floor under it and the water's front.
+/// A profile and the water's front.
 struct ExtractedProfile {
-  Profile profile;            // without sediment in the set, `bed` and `moving_bed` are empty
-  std::vector<double> floor;  // [m] per x: the wall under the fluid; NaN where there is none
+  Profile profile;  // without sediment in the set, `bed` and `moving_bed` are empty
   double front = std::numeric_limits<double>::quiet_NaN();  // [m] water_front of the profile
 };
 
@@ -39,8 +38,9 @@ struct ExtractedProfile {
 ///
 /// free_surface: water and sediment together, so it is the bed where the bed is dry. bed: sediment alone. moving_bed:
 /// sediment at rest, which is State deposit where the set has states, and |u| < rest_speed otherwise. Where water
-/// stands on a floor bare of sediment (or nothing rests), bed (or moving_bed) is the floor. Columns with less than
-/// least_layer * dp of anything are NaN throughout. A set without walls has no floor: its largest body counts.
+/// stands on a floor bare of sediment (or nothing rests), bed (or moving_bed) is the floor; on a wall that moves there
+/// is none. floor: the wall under the fluid. Columns with less than least_layer * dp of anything are NaN but for the
+/// floor. A set without walls has no floor: its largest body counts.
 ///
 /// Needs Type and positions, spacing and smoothing length in `particles.info`; without mass and density every particle
 /// has the volume of its lattice cell; without State and Velocity there is no moving bed. Throws InputError when
@@ -56,9 +56,8 @@ enum class MissingColumn {
 };
 
 /// Tip of the water: the largest x at which water is deeper than `least_depth` [m], interpolated between columns.
-/// Water is what lies between `bed` (or, without that column, `floor`) and `free_surface`. NaN without water, and where
+/// Water is what lies between `bed` (or, where there is none, `floor`) and `free_surface`. NaN without water, and where
 /// the column behind the last wet one is not known to be dry.
-double water_front(const Profile& profile, const std::vector<double>& floor, double least_depth,
-                   MissingColumn missing = MissingColumn::dry);
+double water_front(const Profile& profile, double least_depth, MissingColumn missing = MissingColumn::dry);
 
 }  // namespace thalweg

@@ -14,17 +14,36 @@ namespace {
 // a lattice anchored at multiples of the spacing (or half of it).
 long column_of(double coordinate, double spacing) { return std::lround(std::floor(coordinate / spacing + 1e-3)); }
 
-struct Column {
+struct Members {
   std::vector<std::size_t> particles;
   double lowest_top = 0;
 };
 
 }  // namespace
 
+std::vector<double> WallRuns::moving_tops(double x, double y) const {
+  const long i = column_of(x, spacing);
+  const long j = column_of(y, spacing);
+  std::vector<double> tops;
+  for (const auto& [di, dj] : {std::pair{0L, 0L}, {-1L, 0L}, {1L, 0L}, {0L, -1L}, {0L, 1L}}) {
+    const auto found = columns.find({i + di, j + dj});
+    if (found == columns.end()) continue;
+    tops.insert(tops.end(), found->second.moving_tops.begin(), found->second.moving_tops.end());
+  }
+  return tops;
+}
+
+double WallRuns::floor(double x, double y) const {
+  const auto found = columns.find({column_of(x, spacing), column_of(y, spacing)});
+  const bool known = found != columns.end() && found->second.moving_tops.empty();
+  return known ? found->second.floor : std::numeric_limits<double>::quiet_NaN();
+}
+
 WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
   WallRuns runs;
+  runs.spacing = spacing;
   runs.top.assign(particles.size(), std::numeric_limits<double>::quiet_NaN());
-  std::map<std::pair<long, long>, Column> columns;
+  std::map<std::pair<long, long>, Members> columns;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (!is_wall(particles.type[i])) continue;
     const Vec3& at = particles.position[i];
@@ -47,7 +66,9 @@ WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
       if (!run_ends) continue;
       const double top = height(members[k]) + spacing / 2;
       for (std::size_t m = first; m <= k; ++m) runs.top[members[m]] = top;
-      if (first == 0) column.lowest_top = top;
+      if (first == 0) column.lowest_top = runs.columns[place].floor = top;
+      const auto moves = [&](std::size_t m) { return particles.type[m] == ParticleType::moving_wall; };
+      if (moves(members[k])) runs.columns[place].moving_tops.push_back(top);
       if (bounds_flow(members[k])) highest = std::max(highest, top);
       first = k + 1;
     }

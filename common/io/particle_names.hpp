@@ -16,6 +16,8 @@ inline constexpr const char* smoothing = "SmoothingLength";
 inline constexpr const char* time = "TimeValue";
 inline constexpr const char* step = "Step";
 inline constexpr const char* lattice_node = "LatticeNode";
+inline constexpr const char* count =
+    "NumberOfParticles";  // that were written: tells a file of which some were taken out
 
 /// The facts that are numbers of ParticleFileInfo or ParticleSet; further ones are ParticleSet::facts.
 inline constexpr std::array<const char*, 7> numbers{mass, dimension, spacing, smoothing, time, step, lattice_node};

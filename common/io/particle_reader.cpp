@@ -1,5 +1,6 @@
 #include "common/io/particle_file.hpp"
 
+#include <fmt/format.h>
 #include <vtkArrayDispatch.h>
 #include <vtkDataArrayRange.h>
 #include <vtkDataArraySelection.h>
@@ -20,6 +21,7 @@
 #include "common/error.hpp"
 #include "common/io/file_seal.hpp"
 #include "common/io/particle_names.hpp"
+#include "common/io/poly_data_check.hpp"
 #include "common/io/vtk_errors.hpp"
 #include "common/particle_arrays.hpp"
 
@@ -35,6 +37,7 @@ class Reader {
     if (seal_state(file) == SealState::broken) {
       reject("is damaged: its checksum does not fit its contents", "take an earlier copy, or write it again");
     }
+    check_poly_data(file);
     reader_->AddObserver(vtkCommand::ErrorEvent, errors_);
     reader_->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors_);
     reader_->SetReaderErrorObserver(errors_);
@@ -58,6 +61,12 @@ class Reader {
     count_ = static_cast<std::size_t>(data_->GetNumberOfPoints());
     ParticleSet set;
     set.info = info();
+    const double written = fact(particle_names::count, static_cast<double>(count_));
+    if (written != static_cast<double>(count_)) {
+      reject(
+          fmt::format("holds {} particles, and {:.0f} were written", count_, written),
+          fmt::format("take the whole file, or take {} out of its field data if this is meant", particle_names::count));
+    }
     positions(set);
     std::set<std::string> members;
     for_each_array(set, [&](const char* name, auto& array) {
@@ -99,6 +108,13 @@ class Reader {
     auto* array = vtkDataArray::SafeDownCast(field(name));
     return array != nullptr && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
   }
+  /// A fact within its limits.
+  [[nodiscard]] double number(const char* name, double otherwise, double least, double most) {
+    const double value = fact(name, otherwise);
+    if (value >= least && value <= most) return value;
+    reject(fmt::format("{} in its field data is {:g}", name, value),
+           fmt::format("give a number from {:g} to {:g}", least, most));
+  }
   [[nodiscard]] std::string fact(const char* name) {
     auto* array = vtkStringArray::SafeDownCast(field(name));
     return array != nullptr && array->GetNumberOfValues() > 0 ? array->GetValue(0) : std::string();
@@ -109,11 +125,11 @@ class Reader {
     info.case_name = fact(particle_names::case_name);
     info.code_version = fact(particle_names::version);
     info.case_hash = fact(particle_names::hash);
-    info.dimension = static_cast<int>(fact(particle_names::dimension, info.dimension));
-    info.spacing = fact(particle_names::spacing, 0);
-    info.smoothing_length = fact(particle_names::smoothing, 0);
-    info.time = fact(particle_names::time, 0);
-    info.step = static_cast<std::int64_t>(fact(particle_names::step, 0));
+    info.dimension = static_cast<int>(number(particle_names::dimension, info.dimension, 2, 3));
+    info.spacing = number(particle_names::spacing, 0, 0, largest);
+    info.smoothing_length = number(particle_names::smoothing, 0, 0, largest);
+    info.time = number(particle_names::time, 0, 0, largest);
+    info.step = static_cast<std::int64_t>(number(particle_names::step, 0, 0, 1e15));
     info.lattice_node = lattice_node();
     return info;
   }
@@ -197,6 +213,9 @@ class Reader {
       if (!set.position[i].allFinite()) {
         reject("the position of particle " + std::to_string(i) + " is not finite", "write the file again");
       }
+      if (set.position[i].cwiseAbs().maxCoeff() > largest) {
+        reject(fmt::format("particle {} lies more than {:g} m from the origin", i, largest), "write the file again");
+      }
     }
   }
 
@@ -225,6 +244,8 @@ class Reader {
       set.facts[array->GetName()] = converted<double>(array);
     }
   }
+
+  static constexpr double largest = 1e9;  // [m], [s]
 
   const fs::path& file_;
   vtkNew<VtkErrors> errors_;

@@ -53,6 +53,7 @@ class Writer {
     for (const auto& [name, values] : particles_.scalars) add_further(name, values);
     for (const auto& [name, values] : particles_.doubles) add_further(name, values);
     add_facts(data_, particles_.info);
+    add_fact(data_, particle_names::count, static_cast<std::int64_t>(particles_.size()));
     if (const auto& node = particles_.info.lattice_node) add_fact(data_, particle_names::lattice_node, *node);
     for (const auto& [name, numbers] : particles_.facts) {
       data_->GetFieldData()->AddArray(view(name.c_str(), numbers.data(), numbers.size(), 1));

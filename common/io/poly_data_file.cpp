@@ -1,10 +1,12 @@
 #include "common/io/poly_data_file.hpp"
 
 #include <vtkAOSDataArrayTemplate.h>
+#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <string>
@@ -12,6 +14,7 @@
 #include "common/error.hpp"
 #include "common/io/file_seal.hpp"
 #include "common/io/particle_names.hpp"
+#include "common/io/poly_data_check.hpp"
 #include "common/io/vtk_errors.hpp"
 
 namespace thalweg {
@@ -35,6 +38,8 @@ void add_text(vtkPolyData* data, const char* name, const std::string& value) {
 
 void add_fact(vtkPolyData* data, const char* name, float value) { add_number(data, name, value); }
 
+void add_fact(vtkPolyData* data, const char* name, std::int64_t value) { add_number<vtkTypeInt64>(data, name, value); }
+
 void add_fact(vtkPolyData* data, const char* name, const Vec3& value) {
   vtkNew<vtkAOSDataArrayTemplate<double>> one;
   one->SetName(name);
@@ -55,6 +60,19 @@ void add_facts(vtkPolyData* data, const ParticleFileInfo& info) {
 }
 
 void add_fact(vtkPolyData* data, const char* name, const std::string& value) { add_text(data, name, value); }
+
+vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
+  check_poly_data(file);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<VtkErrors> errors;
+  reader->AddObserver(vtkCommand::ErrorEvent, errors);
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (reader->GetErrorCode() != vtkErrorCode::NoError || errors->any()) {
+    throw InputError(file.string() + ": is no complete file of VTK (" + errors->first() + "); write it again");
+  }
+  return reader->GetOutput();
+}
 
 void write_poly_data(const std::filesystem::path& file, vtkPolyData* data, const WholeFile& how) {
   vtkNew<vtkXMLPolyDataWriter> writer;

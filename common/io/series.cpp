@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 #include <vtkNew.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLDataParser.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "common/error.hpp"
-#include "common/io/vtk_errors.hpp"
+#include "common/io/xml_tree.hpp"
+#include "common/shown.hpp"
 
 namespace thalweg {
 
@@ -39,31 +42,30 @@ void write_series(const std::filesystem::path& pvd, const std::vector<SeriesEntr
 }
 
 std::vector<SeriesEntry> read_series(const std::filesystem::path& pvd) {
-  const auto reject = [&](const std::string& what) {
-    return InputError(pvd.string() + ": " + what + "; name a .pvd file that a run has written");
-  };
+  std::error_code ignored;  // what cannot be looked at cannot be opened either
   std::ifstream stream(pvd, std::ios::binary);
-  if (!stream) throw reject("cannot be opened");
-  vtkNew<vtkXMLDataParser> parser;
-  vtkNew<VtkErrors> errors;
-  parser->AddObserver(vtkCommand::ErrorEvent, errors);
-  parser->SetStream(&stream);
-  if (parser->Parse() == 0 || errors->any() || parser->GetRootElement() == nullptr) {
-    throw reject("is not complete XML (" + errors->first() + ")");
+  if (!stream || !std::filesystem::is_regular_file(pvd, ignored)) {
+    throw InputError(pvd.string() + ": cannot be opened; name a .pvd file that a run has written");
   }
-  vtkXMLDataElement* collection = parser->GetRootElement()->FindNestedElementWithName("Collection");
-  if (collection == nullptr) throw reject("holds no Collection");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  const XmlElement root = parse_xml(text.view(), pvd);
+  const auto refuse = [&](const XmlElement& at, const std::string& what) {
+    throw InputError(fmt::format("{}:{}: {}; name a .pvd file that a run has written", pvd.string(), at.line, what));
+  };
+  const auto is_collection = [](const XmlElement& element) { return element.name == "Collection"; };
+  const auto collection = std::find_if(root.children.begin(), root.children.end(), is_collection);
+  if (collection == root.children.end()) refuse(root, "holds no Collection");
 
   std::vector<SeriesEntry> entries;
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
-    vtkXMLDataElement* item = collection->GetNestedElement(i);
-    const char* file = item->GetAttribute("file");
-    SeriesEntry entry;
-    if (file == nullptr || item->GetScalarAttribute("timestep", entry.time) == 0) {
-      throw reject("entry " + std::to_string(i + 1) + " lacks `timestep` or `file`");
-    }
-    entry.file = file;
-    entries.push_back(entry);
+  for (const XmlElement& item : collection->children) {
+    const std::string time = item.attribute("timestep");
+    SeriesEntry& entry = entries.emplace_back();
+    entry.file = item.attribute("file");
+    const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), entry.time);
+    const bool is_time = error == std::errc{} && end == time.data() + time.size() && std::isfinite(entry.time);
+    if (!is_time) refuse(item, fmt::format("the time \"{}\" is no number of seconds", shown(time)));
+    if (entry.file.empty()) refuse(item, "the entry names no file");
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const SeriesEntry& a, const SeriesEntry& b) { return a.time < b.time; });

@@ -2,17 +2,13 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkErrorCode.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
-#include <vtkXMLPolyDataReader.h>
 
-#include "common/error.hpp"
 #include "common/io/poly_data_file.hpp"
-#include "common/io/vtk_errors.hpp"
 
 namespace thalweg {
 namespace {
@@ -41,14 +37,7 @@ void append_strips(vtkCellArray* cells, PolygonSoup& soup) {
 }  // namespace
 
 PolygonSoup read_vtp_surface(const fs::path& file) {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  vtkNew<VtkErrors> errors;
-  reader->AddObserver(vtkCommand::ErrorEvent, errors);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError || errors->any())
-    throw InputError(file.string() + ": is no VTK polydata file; write it again, or give STL, OBJ, OFF or PLY");
-  vtkPolyData* data = reader->GetOutput();
+  const vtkSmartPointer<vtkPolyData> data = read_poly_data(file);
   PolygonSoup soup;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     std::array<double, 3> p{};

@@ -12,6 +12,7 @@
 #include "common/io/run_results.hpp"
 #include "common/run_lock.hpp"
 #include "common/signals.hpp"
+#include "common/warnings.hpp"
 #include "common/whole_file.hpp"
 #include "solver/program/announce.hpp"
 #include "solver/program/diagnosis.hpp"
@@ -21,6 +22,7 @@
 #include "solver/program/run_output.hpp"
 #include "solver/program/schedule.hpp"
 #include "solver/program/stopwatch.hpp"
+#include "solver/program/warning_sink.hpp"
 #include "solver/simulation/start.hpp"
 
 namespace thalweg {
@@ -276,11 +278,13 @@ Exit run_solver(const RunOptions& options) {
   const RunFolder folder{options.folder};
   require_filled(folder);
   const RunLock lock(options.folder, "thalweg-solver");
+  if (options.benchmark == 0) keep_warnings(folder);
   const RunStart start = read_run(options);
   const bool fresh = options.benchmark == 0 && !start.continued;
   if (fresh && !options.force && options.restart.empty()) {
     refuse_to_replace(folder, "continue it with --restart latest, or replace it with --force");
   }
+  if (fresh) WarningFile(folder, "solver").clear();
   if (options.benchmark == 0) check_disk(start.scene, folder, start.particles);
   Run run(start, options, lock);
   if (options.benchmark > 0) return run.benchmark(options.benchmark);

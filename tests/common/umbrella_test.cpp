@@ -11,6 +11,7 @@
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
+#include "common/warnings.hpp"
 
 // The program `thalweg` is copied into a folder beside small scripts that take the names of the stages and record how
 // they were called; what the stages themselves do is tested elsewhere.
@@ -18,6 +19,7 @@ namespace thalweg {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -38,9 +40,12 @@ class Umbrella : public ::testing::Test {
   }
   ~Umbrella() override { fs::remove_all(folder); }
 
-  void install(const std::string& stage, int status) const {
+  void install(const std::string& stage, int status, const std::string& more = "") const {
     const fs::path program = folder / "bin" / ("thalweg-" + stage);
-    std::ofstream(program) << "#!/bin/sh\necho " << stage << " \"$@\" >> calls\nexit " << status << "\n";
+    const std::string makes =
+        stage == "gencase" ? "case \"$*\" in *--check*) ;; *) /bin/mkdir -p \"$3\" ;; esac\n" : "";
+    std::ofstream(program) << "#!/bin/sh\necho " << stage << " \"$@\" >> calls\n"
+                           << makes << more << "\nexit " << status << "\n";
     fs::permissions(program, fs::perms::owner_all);
   }
   void install_openfoam() const {
@@ -69,6 +74,7 @@ TEST_F(Umbrella, RunsTheStagesInOrder) {
   EXPECT_EQ(thalweg("run case.toml --out 'my run' --set numerics.spacing='4 mm' --set output.end='2 s' --threads 2"),
             0);
   EXPECT_EQ(calls(),
+            "foam case.toml --check --set numerics.spacing=4 mm --set output.end=2 s\n"
             "gencase case.toml --out my run --set numerics.spacing=4 mm --set output.end=2 s\n"
             "solver my run --threads 2\n"
             "foam case.toml --out my run --set numerics.spacing=4 mm --set output.end=2 s\n"
@@ -86,7 +92,31 @@ TEST_F(Umbrella, NamesTheRunAfterTheCase) {
 TEST_F(Umbrella, LeavesTheMeshModelOutWithoutOpenFoamAndSaysHowToGetIt) {
   EXPECT_EQ(thalweg("run case.toml"), 0);
   EXPECT_THAT(calls(), Not(HasSubstr("foam ")));
-  EXPECT_THAT(output(), HasSubstr("foam: skipped, because OpenFOAM is not installed; get it with: apt-get install"));
+  EXPECT_THAT(output(), HasSubstr("foam: left out: OpenFOAM is not installed; get it with: apt-get install"));
+  EXPECT_THAT(warnings_of_programs({folder / "out/flume"}),
+              ElementsAre("foam: left out: OpenFOAM is not installed; get it with: apt-get install openfoam"));
+}
+
+// Before the particles, which may take hours; and the report says why.
+TEST_F(Umbrella, LeavesTheMeshModelOutWhereTheSceneHasNone) {
+  install_openfoam();
+  install("foam", 2, "echo 'error: case.toml:9: shape \"gate\" is a prism' >&2");
+  EXPECT_EQ(thalweg("run case.toml"), 0);
+  EXPECT_EQ(
+      calls(),
+      "foam case.toml --check\ngencase case.toml --out out/flume\nsolver out/flume\npostproc out/flume --report\n");
+  EXPECT_THAT(output(), HasSubstr("foam: left out: case.toml:9: shape \"gate\" is a prism\n"));
+  EXPECT_THAT(warnings_of_programs({folder / "out/flume"}),
+              ElementsAre("foam: left out: case.toml:9: shape \"gate\" is a prism"));
+}
+
+TEST_F(Umbrella, ReportsWithoutAMeshModelThatFailsAndEndsWithOne) {
+  install_openfoam();
+  install("foam", 1, "[ \"$2\" = --check ] && exit 0");
+  EXPECT_EQ(thalweg("run case.toml"), 1);
+  EXPECT_THAT(calls(), ::testing::EndsWith("foam case.toml --out out/flume\npostproc out/flume --report\n"));
+  EXPECT_THAT(warnings_of_programs({folder / "out/flume"}),
+              ElementsAre("foam: failed with status 1; the report does without what is missing"));
 }
 
 TEST_F(Umbrella, StopsAtTheFirstStageThatFails) {

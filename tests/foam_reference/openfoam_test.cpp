@@ -41,7 +41,7 @@ class OpenFoamTest : public testing::Test {
   }
 
   Reference run(const Case& scene, int ranks = 1) {
-    return reference_run(make_foam_case(scene, ranks), folder_.path());
+    return reference_run(make_foam_case(scene, ranks), folder_.path(), [](const std::string&) {});
   }
 
   TemporaryFolder folder_;

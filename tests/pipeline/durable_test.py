@@ -118,6 +118,9 @@ class Durable(unittest.TestCase):
         self.assertIsNone(process.poll())
         process.send_signal(signal.SIGTERM)
         self.ends(process, 143)
+        # What the log warned of stays for the report; that the run was stopped, its snapshots tell.
+        self.assertEqual([line.split(":")[0] for line in (self.run / "warnings/solver.txt").read_text().splitlines()],
+                         ["every snapshot ends a time step"])
 
     def test_a_folder_that_moves_away_ends_the_run(self):
         self.fill(ENDLESS)

@@ -16,7 +16,7 @@ HISTORY = ("time [s],step [-],dt [s],dt_limiter,kinetic_energy [J],potential_ene
            "viscous_residual [-],viscous_retries [-],viscosity_capped [-],pressure_sweeps [-],resting [-],"
            "bed_load [-],suspended [-],mass_in [kg],mass_out [kg],mass_lost [kg],"
            "grain_mass [kg],suspended_mass [kg]").split(",")
-PROFILE = ["x [m]", "free_surface [m]", "bed [m]", "moving_bed [m]"]
+PROFILE = ["x [m]", "free_surface [m]", "bed [m]", "moving_bed [m]", "floor [m]"]
 GRAVITY_WAVE = (9.81 * 0.10) ** 0.5  # [m/s] in the tank; the dam's wave runs back with it
 DRY_FRONT = 2 * GRAVITY_WAVE  # [m/s] Ritter's front on a frictionless dry bed: nothing is faster
 

@@ -180,18 +180,31 @@ TEST(ReadNamedSets, ReadsFilesFoldersAndRunsUnderTheirLabels) {
   EXPECT_THROW(read_named_sets({lab, lab + "/t0.250.csv"}), InputError);  // one time twice under one label
   EXPECT_THROW(read_named_sets({folder.path().string()}), InputError);    // no profile in it
   EXPECT_THROW(read_named_sets({"/dev/zero"}), InputError);               // neither file nor folder
+  EXPECT_THROW(read_named_sets({std::string(5000, 'L') + "=" + lab}), InputError);
+  EXPECT_THROW(read_named_sets({std::string(5000, 'L')}), InputError);
 }
 
-TEST(BedChange, FindsDeepestScourAndHighestDeposit) {
-  const Profile before = bed_profile({0, 1, 2, 3}, {0.1, 0.1, 0.1, gap});
-  const Profile after = bed_profile({1, 2, 3}, {0.07, 0.12, 0.1});
-  const std::optional<BedChange> change = bed_change(before, after);
-  ASSERT_TRUE(change);
-  EXPECT_NEAR(change->scour, 0.03, 1e-12);
-  EXPECT_DOUBLE_EQ(change->scour_at, 1);
-  EXPECT_NEAR(change->deposition, 0.02, 1e-12);
-  EXPECT_DOUBLE_EQ(change->deposition_at, 2);
-  EXPECT_FALSE(bed_change(before, bed_profile({0.5}, {0.1})));
+TEST(BedChange, CountsWhereSedimentLies) {
+  Profile before = bed_profile({0, 1, 2, 3}, {0.1, 0.1, 0.1, gap});
+  Profile after = bed_profile({1, 2, 3}, {0.07, 0.12, 0.1});
+  const std::vector<double> rise = rise_of_bed(before, after);
+  EXPECT_NEAR(rise[0], -0.03, 1e-12);
+  EXPECT_NEAR(rise[1], 0.02, 1e-12);
+  EXPECT_TRUE(std::isnan(rise[2]));
+
+  // From the left: a bare floor, a floor that sand comes to, sand that goes, a deck in its place, a dry floor.
+  before = bed_profile({0, 1, 2, 3, 4}, {0, 0, 0.1, 0.1, gap});
+  before.free_surface = {0.2, 0.2, 0.2, 0.2, gap};
+  before.floor = {0, 0, 0, 0, 0};
+  after = bed_profile({0, 1, 2, 3, 4}, {0, 0.05, 0, 5, 0.02});
+  after.free_surface = {0.2, 0.2, 0.2, 5.1, 0.2};
+  after.floor = {0, 0, 0, 5, 0};
+  const std::vector<double> counted = rise_of_bed(before, after);
+  EXPECT_TRUE(std::isnan(counted[0]));
+  EXPECT_NEAR(counted[1], 0.05, 1e-12);
+  EXPECT_NEAR(counted[2], -0.1, 1e-12);
+  EXPECT_TRUE(std::isnan(counted[3]));
+  EXPECT_NEAR(counted[4], 0.02, 1e-12);
 }
 
 TEST(Html, EscapesGroupsAndInlines) {

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "common/csv.hpp"
 #include "common/profile.hpp"
+#include "common/warnings.hpp"
 #include "postproc/profile_set.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
@@ -94,6 +96,13 @@ TEST(Postprocess, WithoutGnuplotSaysWhatToInstallAndWritesTheRest) {
   const TemporaryFolder folder("no_gnuplot");
   const SyntheticRun synthetic(folder.path());
   synthetic.write();
+  // Pictures of an earlier run in the same folder, and a warning of gencase.
+  const RunFolder& run = synthetic.folder();
+  write_text(run.report() / "pictures" / "t0.250.svg", "<svg>of an earlier run</svg>");
+  write_text(run.report() / "paraview" / "t0.100.png", "of an earlier run");
+  fs::last_write_time(run.report() / "paraview" / "t0.100.png",
+                      fs::last_write_time(run.snapshot_series()) - std::chrono::hours(1));
+  WarningFile(run, "gencase").add("the wall is thin");
   ASSERT_EQ(setenv("THALWEG_GNUPLOT", "/nonexistent/gnuplot", 1), 0);
   testing::internal::CaptureStderr();
   const Exit status = postprocess({synthetic.folder().root, {}, true});
@@ -102,8 +111,11 @@ TEST(Postprocess, WithoutGnuplotSaysWhatToInstallAndWritesTheRest) {
   EXPECT_EQ(status, Exit::run_failed);
   EXPECT_THAT(said, HasSubstr("apt-get install gnuplot-nox"));
   EXPECT_TRUE(fs::exists(synthetic.folder().profiles() / "front.csv"));
-  EXPECT_THAT(contents_of(synthetic.folder().report() / "index.html"),
-              HasSubstr("no picture: gnuplot is not installed"));
+  const std::string page = contents_of(run.report() / "index.html");
+  EXPECT_THAT(page, HasSubstr("no picture: gnuplot is not installed"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("of an earlier run")));
+  EXPECT_THAT(page, HasSubstr("that are older than the snapshots are left out (1)"));
+  EXPECT_THAT(page, HasSubstr("gencase: the wall is thin"));
 }
 
 TEST(Postprocess, OldProfilesOfOtherTimesDoNotSurvive) {

@@ -73,7 +73,7 @@ TEST(ExtractProfile, FlatSurfacesAreExactToATenthOfTheSpacingUpToTheSideWalls) {
       expect_at(profile.free_surface, surface);
       expect_at(profile.bed, bed);
       expect_at(profile.moving_bed, bed);
-      for (const double floor : found.floor) EXPECT_NEAR(floor, 0, 0.1 * flume.spacing);
+      for (const double floor : found.profile.floor) EXPECT_NEAR(floor, 0, 0.1 * flume.spacing);
     }
   }
 }

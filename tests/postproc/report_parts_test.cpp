@@ -19,6 +19,7 @@
 namespace thalweg {
 namespace {
 
+using manufactured::contents_of;
 using manufactured::SyntheticRun;
 using manufactured::TemporaryFolder;
 using manufactured::write_text;
@@ -114,6 +115,46 @@ TEST(Gnuplot, AFailingScriptIsReportedWithItsMessage) {
     EXPECT_THAT(error.what(), HasSubstr("wrong.gp: gnuplot failed: "));
   }
   EXPECT_EQ(gnuplot_string("it's\nso"), "'it''s so'");
+}
+
+/// A stand-in for gnuplot: a shell script of these lines.
+void install_gnuplot(const std::filesystem::path& program, const std::string& lines) {
+  write_text(program, "#!/bin/sh\n" + lines);
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  ASSERT_EQ(setenv("THALWEG_GNUPLOT", program.c_str(), 1), 0);
+}
+
+TEST(Gnuplot, IsEndedWhenItHangsAndLeavesTheOldPicture) {
+  const TemporaryFolder folder("gnuplot_hangs");
+  install_gnuplot(folder.path() / "hang", "trap '' TERM\necho half > a.png\nexec sleep 60\n");
+  write_text(folder.path() / "p" / "a.gp", "set output 'a.svg'\nset output 'b.png'\n");
+  write_text(folder.path() / "p" / "b.png", "old");
+  try {
+    run_gnuplot(folder.path() / "p" / "a.gp", std::chrono::seconds(1));
+    ADD_FAILURE() << "no RunError";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.gp: "));
+    EXPECT_THAT(error.what(), HasSubstr("did not end within 1 s and was ended; "));
+  }
+  unsetenv("THALWEG_GNUPLOT");
+  EXPECT_EQ(contents_of(folder.path() / "p" / "b.png"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "p" / "a.svg"));
+}
+
+TEST(Gnuplot, PutsPicturesInPlaceWhole) {
+  const TemporaryFolder folder("gnuplot_whole");
+  // It draws into the names that the script gives, none of which is a picture's own.
+  install_gnuplot(folder.path() / "draw",
+                  "sed -n \"s/^set output '\\(.*\\)'/\\1/p\" \"$2\" | while read name; do\n"
+                  "  case $name in .a.*.part.*) ;; *) exit 1 ;; esac\n  echo drawn > \"$name\"\ndone\n");
+  write_text(folder.path() / "p" / "a.gp", "set output 'a.svg'\nplot\nset output 'a.png'\nreplot\n");
+  EXPECT_EQ(run_gnuplot(folder.path() / "p" / "a.gp"), GnuplotResult::drawn);
+  unsetenv("THALWEG_GNUPLOT");
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "p"))
+    names.push_back(entry.path().filename().string());
+  EXPECT_THAT(names, testing::UnorderedElementsAre("a.gp", "a.svg", "a.png"));
+  EXPECT_EQ(contents_of(folder.path() / "p" / "a.png"), "drawn\n");
 }
 
 }  // namespace

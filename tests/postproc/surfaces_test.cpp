@@ -136,6 +136,45 @@ TEST(Surfaces, StandOnTheFloorAtEverySpacing) {
   }
 }
 
+// A flume with a bed in its first half. Then its water has washed sand onto the bare half, and a piston under water
+// stands where the bed was at the beginning.
+TEST(Surfaces, WallsAreNoBed) {
+  const auto scene = [](bool later) {
+    Flume flume;
+    flume.begin();
+    flume.add_walls();
+    const double piston = later ? 0.2 : 0;
+    const auto bed = [&](double x) { return x < 0.5 ? 0.06 : later && x < 0.7 ? 0.03 : 0; };
+    flume.fill(ParticleType::sediment, piston, 1, flat, bed);
+    flume.fill(ParticleType::water, piston, 1, bed, [](double) { return 0.15; });
+    if (!later) return flume.set;
+    for (double x = 0.0025; x < piston; x += flume.spacing)
+      for (double z = 0.0025; z < 0.1; z += flume.spacing) flume.add(ParticleType::moving_wall, {x, 0, z});
+    flume.fill(
+        ParticleType::water, 0, piston, [](double) { return 0.1; }, [](double) { return 0.15; });
+    return flume.set;
+  };
+  const ParticleSet before = scene(false);
+  const ParticleSet after = scene(true);
+  const std::optional<BedBalance> balance = bed_balance(surfaces_of(before).map, surfaces_of(after).map);
+  ASSERT_TRUE(balance);
+  EXPECT_LT(balance->scour, 0.003);
+  EXPECT_NEAR(balance->deposition, 0.03, 0.003);
+  EXPECT_NEAR(balance->deposition_at.x(), 0.6, 0.11);
+  EXPECT_NEAR(balance->deposited, 0.2 * 0.03, 0.1 * 0.2 * 0.03);
+
+  const Profile profile = extract_profile(after, {}).profile;
+  for (std::size_t i = 0; i < profile.x.size(); ++i) {
+    if (profile.x[i] > 0.03 && profile.x[i] < 0.17) {
+      EXPECT_TRUE(std::isnan(profile.bed[i])) << profile.x[i];
+      EXPECT_NEAR(profile.floor[i], 0.1, 0.003);
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> bed = surfaces_of(after).surfaces.at(1).data;
+  EXPECT_GT(bed->GetBounds()[0], 0.17);  // neither the piston's top
+  EXPECT_LT(bed->GetBounds()[1], 0.73);  // nor the bare floor
+}
+
 TEST(Surfaces, AreWrittenAsVtpAndStl) {
   const manufactured::TemporaryFolder folder("surfaces");
   const ParticleSet set = ball(0.008, 0.04, 3);

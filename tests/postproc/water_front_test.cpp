@@ -29,11 +29,24 @@ TEST(WaterFront, InterpolatesBetweenColumns) {
   profile.x = {0, 1, 2, 3};
   profile.free_surface = {0.5, 0.4, 0.1, 0.1};
   profile.bed = {0.1, 0.1, 0.1, 0.1};
-  EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1), 1 + (0.3 - 0.1) / 0.3);
-  EXPECT_TRUE(std::isnan(water_front(profile, {}, 0.5)));
+  EXPECT_DOUBLE_EQ(water_front(profile, 0.1), 1 + (0.3 - 0.1) / 0.3);
+  EXPECT_TRUE(std::isnan(water_front(profile, 0.5)));
   profile.bed.clear();
-  EXPECT_DOUBLE_EQ(water_front(profile, {0.1, 0.1, 0.1, Profile::missing}, 0.1), 1 + (0.3 - 0.1) / 0.3);
-  EXPECT_TRUE(std::isnan(water_front(profile, {}, 0.1)));
+  EXPECT_TRUE(std::isnan(water_front(profile, 0.1)));  // water over what?
+  profile.floor = {0.1, 0.1, 0.1, Profile::missing};
+  EXPECT_DOUBLE_EQ(water_front(profile, 0.1), 1 + (0.3 - 0.1) / 0.3);
+}
+
+// Mesh models smear a film over all of a dry flume; it is no front, and neither is water over a wall that moves none.
+TEST(WaterFront, IsNoFilm) {
+  Profile profile;
+  profile.x = {0, 1, 2, 3};
+  profile.free_surface = {0.5, 0.4, 0.1 + 1e-4, 0.1 + 1e-4};
+  profile.bed = {0.1, 0.1, 0.1, 0.1};
+  EXPECT_NEAR(water_front(profile, 2.5e-3), 2, 0.01);
+  profile.floor = profile.bed;
+  profile.bed[1] = Profile::missing;  // on a wall that moves
+  EXPECT_NEAR(water_front(profile, 2.5e-3), 2, 0.01);
 }
 
 TEST(WaterFront, OfAMeasurementNeedsADryColumnBehindIt) {
@@ -41,14 +54,13 @@ TEST(WaterFront, OfAMeasurementNeedsADryColumnBehindIt) {
   profile.x = {0, 1, 2};
   profile.free_surface = {0.5, 0.4, 0.4};
   profile.bed = {0.1, 0.1, Profile::missing};
-  EXPECT_TRUE(std::isnan(water_front(profile, {}, 0.1, MissingColumn::unknown)));
-  EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1, MissingColumn::dry), 1 + (0.3 - 0.1) / 0.3);
+  EXPECT_TRUE(std::isnan(water_front(profile, 0.1, MissingColumn::unknown)));
+  EXPECT_DOUBLE_EQ(water_front(profile, 0.1, MissingColumn::dry), 1 + (0.3 - 0.1) / 0.3);
   profile.bed.back() = 0.1;
-  EXPECT_TRUE(
-      std::isnan(water_front(profile, {}, 0.1, MissingColumn::unknown)));  // the water goes on at the last column
-  EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1, MissingColumn::dry), 2);  // the water stands at a wall
+  EXPECT_TRUE(std::isnan(water_front(profile, 0.1, MissingColumn::unknown)));  // the water goes on at the last column
+  EXPECT_DOUBLE_EQ(water_front(profile, 0.1, MissingColumn::dry), 2);          // the water stands at a wall
   profile.free_surface.back() = 0.1;
-  EXPECT_DOUBLE_EQ(water_front(profile, {}, 0.1, MissingColumn::unknown), 1 + (0.3 - 0.1) / 0.3);
+  EXPECT_DOUBLE_EQ(water_front(profile, 0.1, MissingColumn::unknown), 1 + (0.3 - 0.1) / 0.3);
 }
 
 }  // namespace
