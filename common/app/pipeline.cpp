@@ -21,7 +21,7 @@ namespace {
 struct Stage {
   std::string name;
   std::vector<std::string> arguments;
-  bool needed = true;  // the pipeline ends if it fails
+  bool needed = true;  // the pipeline ends if it fails; otherwise the report does without it
 };
 
 using Words = std::vector<std::string>;
@@ -64,7 +64,7 @@ std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, 
     stages.push_back({"postproc", {folder.root.string()}, false});
   }
   if (options.foam) {
-    stages.push_back({"foam", with({options.case_path.string(), "--out", out}, overrides)});
+    stages.push_back({"foam", with({options.case_path.string(), "--out", out}, overrides), false});
   }
   stages.push_back({"postproc", {out, "--report"}});
   return stages;
@@ -112,6 +112,7 @@ int run_pipeline(const PipelineOptions& given) {
   }
   const std::vector<Stage> stages = stages_of(options, scene, out);
   for (const Stage& stage : stages) (void)stage_program(stage.name);  // throws before the first one runs
+  int worst = static_cast<int>(Exit::done);
   for (const Stage& stage : stages) {
     announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
     const auto begin = std::chrono::steady_clock::now();
@@ -119,8 +120,10 @@ int run_pipeline(const PipelineOptions& given) {
     command.insert(command.end(), stage.arguments.begin(), stage.arguments.end());
     const int status = run_in_foreground(command);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (status == static_cast<int>(Exit::run_failed) && !stage.needed) {
-      announce(fmt::format("== {} failed; the report does without this coarser run", stage.name));
+    const bool failed = status == static_cast<int>(Exit::run_failed) || status == static_cast<int>(Exit::input_wrong);
+    if (failed && !stage.needed) {
+      announce(fmt::format("== {} failed; the report does without it", stage.name));
+      if (stage.name == "foam") worst = status;  // it was asked for; a coarser run is the report's own wish
       continue;
     }
     if (status != 0) {
@@ -131,7 +134,7 @@ int run_pipeline(const PipelineOptions& given) {
     announce(fmt::format("== {} done in {:.1f} s", stage.name, seconds));
   }
   announce(fmt::format("report: {}", (RunFolder{out}.report() / "index.html").string()));
-  return static_cast<int>(Exit::done);
+  return worst;
 }
 
 }  // namespace thalweg
