@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,24 +10,16 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <sstream>
 #include <thread>
 #include <utility>
+
+#include "common/spawn.hpp"
 
 namespace thalweg {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The words of a command as the system wants them; they live as long as the command.
-std::vector<char*> argument_list(const std::vector<std::string>& command) {
-  std::vector<char*> list;
-  for (const std::string& word : command) list.push_back(const_cast<char*>(word.c_str()));
-  list.push_back(nullptr);
-  return list;
-}
 
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -71,22 +62,6 @@ std::array<Descriptor, 2> make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// posix_spawn's lists of actions of a child before it becomes the program.
-struct SpawnSettings {
-  posix_spawn_file_actions_t files{};
-  posix_spawnattr_t attributes{};
-  SpawnSettings() {
-    posix_spawn_file_actions_init(&files);
-    posix_spawnattr_init(&attributes);
-  }
-  ~SpawnSettings() {
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-};
-
 volatile std::sig_atomic_t foreground_child = 0;
 volatile std::sig_atomic_t remembered_signal = 0;
 
@@ -127,27 +102,15 @@ StartError::StartError(const std::string& program, int cause)
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildSetup& setup)
     : own_group_(setup.own_group) {
-  SpawnSettings settings;
   Descriptor log;
   std::array<Descriptor, 2> pipe;
-  if (!setup.folder.empty()) posix_spawn_file_actions_addchdir_np(&settings.files, setup.folder.c_str());
-  if (!setup.log.empty()) {
-    log = open_log(setup.log);
-    posix_spawn_file_actions_addopen(&settings.files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&settings.files, log.number(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&settings.files, log.number(), STDERR_FILENO);
-  }
-  if (setup.piped >= 0) {
-    pipe = make_pipe();
-    posix_spawn_file_actions_adddup2(&settings.files, pipe[1].number(), setup.piped);
-  }
-  if (own_group_) {
-    posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&settings.attributes, 0);
-  }
-  const int failure = posix_spawnp(&process_, command.front().c_str(), &settings.files, &settings.attributes,
-                                   argument_list(command).data(), environ);
-  if (failure != 0) throw StartError(command.front(), failure);
+  if (!setup.log.empty()) log = open_log(setup.log);
+  if (setup.piped >= 0) pipe = make_pipe();
+  process_ = spawn(command, {.log = log.number(),
+                             .pipe = pipe[1].number(),
+                             .piped = setup.piped,
+                             .folder = setup.folder.string(),
+                             .own_group = own_group_});
   pipe_ = pipe[0].release();
 }
 
@@ -179,6 +142,13 @@ bool ChildProcess::ends_within(std::chrono::milliseconds patience) {
 void ChildProcess::end(int signal) {
   if (process_ <= 0) return;
   kill(own_group_ ? -process_ : process_, signal);
+  constexpr std::chrono::milliseconds grace(grace_seconds * 1000);
+  // The keeper of a group counts the grace itself.
+  if (own_group_ || ends_within(grace)) {
+    collect(0);
+    return;
+  }
+  kill(process_, SIGKILL);
   collect(0);
 }
 
@@ -235,14 +205,7 @@ void become(const std::vector<std::string>& command) {
   throw StartError(command.front(), errno);
 }
 
-bool on_path(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
-  }
-  return false;
-}
+bool on_path(const std::string& program) { return !find_program(program).empty(); }
 
 SignalWatch::SignalWatch() {
   remembered_signal = 0;

@@ -11,8 +11,8 @@
 
 #include "common/error.hpp"
 
-// The one way to start other programs. It uses posix_spawn: Boost.Process 1.74 reports neither the CPU time of a child
-// nor the signal that ended it.
+// The one way to start other programs. It uses the system's own calls: Boost.Process 1.74 reports neither the CPU time of
+// a child nor the signal that ended it, and posix_spawn cannot bind a child's life to its parent's.
 namespace thalweg {
 
 /// A program could not be started. `what()` names it, the cause and the cure.
@@ -35,7 +35,8 @@ struct ChildSetup {
   int piped = -1;                  // descriptor of the child that read_line() reads: 1 is its stdout; -1: none
 };
 
-/// A program that runs beside this one. It ends when this object does.
+/// A program that runs beside this one. It ends when this object does, and it gets SIGTERM if this program dies in any
+/// way, by SIGKILL too. With a group of its own, all that the child started ends then.
 class ChildProcess {
  public:
   /// Starts `command`: a program, looked for along PATH if it has no slash, and its arguments. Throws StartError, and
@@ -51,7 +52,8 @@ class ChildProcess {
   bool ends_within(std::chrono::milliseconds patience);
   /// Waits until the child has ended. Returns its exit status, or 128 + n if signal n ended it.
   int wait();
-  /// Ends the child by this signal, with its group if it has its own, and waits for that.
+  /// Ends the child by this signal, with its group if it has its own, and waits for that; one that does not heed it is
+  /// killed after some seconds (`grace_seconds`).
   void end(int signal = SIGTERM);
   /// The next line from the piped descriptor, without its end. Nothing if the child closes it before the end of a line,
   /// or writes nothing for `patience`; a negative patience waits without limit.

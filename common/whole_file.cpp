@@ -28,6 +28,7 @@ constexpr std::string_view part_mark = ".part";
 [[noreturn]] void fail(const fs::path& file, int cause) {
   const char* cure = "check the folder's permissions and free space";
   if (cause == ENOENT || cause == ENOTDIR) cure = "its folder is gone: moved or deleted while the program ran";
+  if (cause == ENAMETOOLONG) cure = "give a folder with a shorter path";
   if (cause == EFBIG) cure = "raise the limit on the size of files (ulimit -f)";
   throw RunError(fmt::format("{}: cannot be written: {}; {}", file.string(), std::strerror(cause), cure));
 }

@@ -31,16 +31,17 @@ std::vector<FoamModel> chosen_models(const Case& scene, const ModelOptions& opti
   return {model};
 }
 
-// The folder of the library. Where it cannot be had, the stock model takes the place of the models that need it.
-std::filesystem::path find_library(const Case& scene, std::vector<FoamModel>& models, const Warn& warn) {
+// The folder of the library; empty if no model needs it.
+std::filesystem::path find_library(const Case& scene, const std::vector<FoamModel>& models) {
   const auto needs = [&](FoamModel model) { return needs_library(scene, model); };
-  if (std::ranges::none_of(models, needs)) return {};
+  const auto first = std::ranges::find_if(models, needs);
+  if (first == models.end()) return {};
   if (const auto library = foam_library()) return *library;
-  warn(
-      "without libthalwegFoam there is the stock model only (HerschelBulkley, yield stress without pressure); "
-      "tools/foam-library builds it where OpenFOAM's source package can be had");
-  models = {FoamModel::stock};
-  return {};
+  throw RunError(fmt::format(
+      "foam: the model \"{}\" needs libthalwegFoam, which cannot be had for the reason above; mend that, or "
+      "ask for OpenFOAM's own HerschelBulkley, whose yield stress knows no pressure: --set "
+      "foam.models='[\"stock\"]'",
+      name_of(*first)));
 }
 
 std::vector<Planned> plan(const Case& scene, const std::vector<FoamModel>& models, const ModelOptions& options,
@@ -73,7 +74,7 @@ std::string folder_of(FoamModel model, int coarsening) {
 }
 
 void run_models(const Case& scene, const RunFolder& run, const ModelOptions& options) {
-  std::vector<FoamModel> models = chosen_models(scene, options);
+  const std::vector<FoamModel> models = chosen_models(scene, options);
   const auto silent = [](const std::string&) {};
   for (const Planned& checked : plan(scene, models, options, {}, silent))
     (void)case_files(checked.foam_case);  // throws
@@ -85,7 +86,7 @@ void run_models(const Case& scene, const RunFolder& run, const ModelOptions& opt
     fmt::print(stderr, "warning: foam: {}\n", line);
     kept.add(line);
   };
-  const std::filesystem::path library = find_library(scene, models, warn);
+  const std::filesystem::path library = find_library(scene, models);
   for (const Planned& one : plan(scene, models, options, library, warn)) {
     const std::filesystem::path folder = run.foam() / folder_of(one.model, one.coarsening);
     fmt::print(stderr, "foam: {}, cells of {:g} mm, {} of them\n", name_of(one.model), 1e3 * one.foam_case.plan.cell,

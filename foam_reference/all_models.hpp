@@ -19,10 +19,9 @@ struct ModelOptions {
 /// Folder of a model's results inside RunFolder::foam(): "same-material", on twice as coarse a mesh "same-material-2x".
 std::string folder_of(FoamModel model, int coarsening);
 
-/// Runs the mesh models of a case on their meshes, each in its folder (foam_reference/reference_run.hpp). If
-/// libthalwegFoam cannot be had, the stock model takes the place of the models that need it, and a line tells so. A
-/// coarser mesh that does not fit the container is left out, and a line tells so; for the first mesh this is an error.
-/// Throws InputError, RunError, Interrupted.
+/// Runs the mesh models of a case on their meshes, each in its folder (foam_reference/reference_run.hpp). A coarser mesh
+/// that does not fit the container is left out, and a line tells so; for the first mesh this is an error. A model whose
+/// library cannot be had is an error too: no other takes its place. Throws InputError, RunError, Interrupted.
 void run_models(const Case& scene, const RunFolder& run, const ModelOptions& options);
 
 }  // namespace thalweg::foam

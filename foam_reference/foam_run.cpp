@@ -44,12 +44,15 @@ class Progress {
   ProgressLine line_{{.width = 90, .log_pause = std::chrono::milliseconds(0)}};
 };
 
-/// A way to a folder that OpenFOAM can go: it cuts paths at blanks and quotes. Where the folder's own path has such a
-/// character, the way is a link in the system's temporary folder, which goes with this object.
+/// A way to a folder that OpenFOAM can go: it cuts paths at blanks and quotes, and refuses those of more than 1024
+/// characters. Where the folder's own path is such a one, the way is a link in the system's temporary folder, which goes
+/// with this object.
 class PlainPath {
  public:
   explicit PlainPath(const fs::path& folder) : path_(fs::absolute(folder)) {
-    if (path_.string().find_first_of(" \t\"'`;{}$\\") == std::string::npos) return;
+    constexpr std::size_t longest = 800;  // leaves room for the names in it
+    const std::string given = path_.string();
+    if (given.size() <= longest && given.find_first_of(" \t\"'`;{}$\\") == std::string::npos) return;
     std::string name = (fs::temp_directory_path() / "thalweg-foam-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
       throw RunError(name + ": cannot be made; give a temporary folder that can be written to (TMPDIR)");

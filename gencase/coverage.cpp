@@ -139,7 +139,7 @@ void check_container(const Case& scene, const Shape& shape, const Region& body) 
   const double cell = size.prod() / (cells * cells * cells);
   throw InputError(fmt::format(
       "{}: {} is a tank with a wall of its own: with side = \"outside\" water fills its material ({:.2g} m^3), not its "
-      "hollow ({:.2g} m^3); write side = \"inside\" and fill it with a box of water",
+      "hollow ({:.2g} m^3); write side = \"inside\", and a level fills its hollow",
       where(scene, shape), shape.file, material * cell, hollow * cell));
 }
 

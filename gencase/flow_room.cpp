@@ -84,6 +84,20 @@ Bounds FlowRoom::bounds_of_rooms() const {
   return result;
 }
 
+bool FlowRoom::has_solids() const {
+  return std::any_of(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.solid; });
+}
+
+Bounds FlowRoom::bounds_of_solids() const {
+  Bounds result{Vec3::Constant(HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
+  for (const Layer& layer : layers_) {
+    if (!layer.solid) continue;
+    result.lower = result.lower.cwiseMin(layer.region->bounds().lower);
+    result.upper = result.upper.cwiseMax(layer.region->bounds().upper);
+  }
+  return result;
+}
+
 bool FlowRoom::has_meshes() const {
   return std::any_of(layers_.begin(), layers_.end(), [](const Layer& layer) {
     return layer.region->is_mesh() || (layer.room != nullptr && layer.room->is_mesh());

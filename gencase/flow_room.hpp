@@ -27,6 +27,9 @@ class FlowRoom : public PointSet {
   [[nodiscard]] Spans cut(const Line& line) const;
   /// Bounds of all containers. Needs has_rooms().
   [[nodiscard]] Bounds bounds_of_rooms() const;
+  [[nodiscard]] bool has_solids() const;
+  /// Bounds of all solids. Needs has_solids().
+  [[nodiscard]] Bounds bounds_of_solids() const;
   /// True if a wall is given by triangles.
   [[nodiscard]] bool has_meshes() const;
   /// The skin of the room within `around` as triangles that deviate from it by at most `deviation` [m] and face away

@@ -12,6 +12,7 @@
 #include "gencase/booleans.hpp"
 #include "gencase/combinations.hpp"
 #include "gencase/coverage.hpp"
+#include "gencase/hollows.hpp"
 #include "gencase/polygon.hpp"
 #include "gencase/polyhedron.hpp"
 #include "gencase/primitives.hpp"
@@ -98,30 +99,51 @@ struct Earlier {
   }
 };
 
-/// The box in which containers can be filled: up to their rims, within the domain.
-Bounds filling_box(const Case& scene, const Shape& shape, const Earlier& earlier) {
-  if (!earlier.containers)
-    refuse(scene, shape,
-           earlier.room.has_meshes()
-               ? "fills containers, and no wall with side = \"outside\" comes before it; a tank that is drawn with its "
-                 "wall is filled by a box of water, which enters no wall"
-               : "fills containers, and no wall with side = \"outside\" comes before it; put one before it");
+void require_heights_along_z(const Case& scene, const Shape& shape) {
   if (column_axis(scene) != 2 || scene.domain.gravity.z() > 0)
     refuse(scene, shape, "counts heights along z, and gravity points elsewhere; use a box");
+}
+
+/// The box in which containers can be filled: up to their rims, within the domain.
+Bounds filling_box(const Case& scene, const Earlier& earlier) {
   Bounds box{earlier.containers->lower.cwiseMax(scene.domain.from),
              earlier.containers->upper.cwiseMin(scene.domain.to)};
   if (scene.info.dimension == 2) box.lower.y() = box.upper.y() = 0;
   return box;
 }
 
+/// The hollows of solid walls, for cases without a container.
+RegionPointer make_held(const Case& scene, const Shape& shape, const Earlier& earlier) {
+  if (!earlier.room.has_solids())
+    refuse(scene, shape, "fills containers, and no wall with side = \"outside\" comes before it; put one before it");
+  const bool layer = shape.kind == ShapeKind::layer;
+  RegionPointer held =
+      layer ? make_hollow_layer(scene, earlier.room, shape.thickness) : make_hollow(scene, earlier.room, shape.level);
+  if (held == nullptr)
+    refuse(scene, shape,
+           fmt::format("finds no hollow that the walls before it hold {}: what it fills would run out; make the walls "
+                       "thicker and their gaps narrower than {}, lower the level, or use a box",
+                       layer ? std::string("up to their upper end") : "up to " + length(shape.level),
+                       length(scene.numerics.spacing)));
+  return held;
+}
+
 RegionPointer make_level(const Case& scene, const Shape& shape, const Earlier& earlier) {
-  Bounds box = filling_box(scene, shape, earlier);
+  require_heights_along_z(scene, shape);
+  if (!earlier.containers) return make_held(scene, shape, earlier);
+  Bounds box = filling_box(scene, earlier);
   if (shape.level <= box.lower.z())
     refuse(scene, shape,
            fmt::format("has its level at {}, below the floor at {}; raise the level", length(shape.level),
                        length(box.lower.z())));
   box.upper.z() = std::min(box.upper.z(), shape.level);
   return make_filled(earlier.room, box);
+}
+
+RegionPointer make_bed_layer(const Case& scene, const Shape& shape, const Earlier& earlier) {
+  require_heights_along_z(scene, shape);
+  if (!earlier.containers) return make_held(scene, shape, earlier);
+  return make_layer(earlier.room, filling_box(scene, earlier), shape.thickness, 2);
 }
 
 /// The geometry of a shape.
@@ -151,7 +173,7 @@ RegionPointer make_region(const Case& scene, const Shape& shape, const Earlier& 
     case ShapeKind::level:
       return make_level(scene, shape, earlier);
     case ShapeKind::layer:
-      return make_layer(earlier.room, filling_box(scene, shape, earlier), shape.thickness, 2);
+      return make_bed_layer(scene, shape, earlier);
     case ShapeKind::combine_union:
       return combine_shapes(scene, shape, std::move(parts), Boolean::unite);
     case ShapeKind::combine_difference:

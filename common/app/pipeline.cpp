@@ -23,7 +23,7 @@ namespace {
 struct Stage {
   std::string name;
   std::vector<std::string> arguments;
-  bool needed = true;  // the pipeline ends if it fails
+  bool needed = true;  // the pipeline ends if it fails; otherwise the report does without it
 };
 
 using Words = std::vector<std::string>;

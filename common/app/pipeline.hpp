@@ -18,7 +18,7 @@ struct PipelineOptions {
 };
 
 /// Runs gencase, solver, foam and postproc one after the other, with a line on each. Returns 0, or the exit status of
-/// the first stage that fails. Throws InputError if the case is wrong, or if the folder holds a run and neither `resume`
+/// the first stage that fails. If foam fails, the report is made without it before its status is returned. Throws InputError if the case is wrong, or if the folder holds a run and neither `resume`
 /// nor `force` is set.
 int run_pipeline(const PipelineOptions& options);
 

@@ -1,6 +1,7 @@
 #include "common/process.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -99,6 +100,58 @@ TEST_F(Process, EndsWithAllThatItStarted) {
   // Once its parent is gone it is reaped elsewhere, which takes a moment.
   for (int i = 0; i < 100 && kill(grandchild, 0) == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_NE(kill(grandchild, 0), 0);
+}
+
+/// True if the process has ended within some seconds; one that nobody has waited for yet has.
+bool has_ended(pid_t process) {
+  for (int i = 0; i < 250; ++i) {
+    std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+    std::string words;
+    if (!std::getline(stat, words) || words.find(") Z ") != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+// kill -9 leaves a program no time to end its children.
+TEST_F(Process, OutlivesNoParentThatIsKilled) {
+  for (const bool own_group : {false, true}) {
+    const pid_t parent = fork();
+    if (parent == 0) {
+      ChildProcess child(shell(own_group ? "sleep 60 & echo $! > started; echo $$ > part; mv part all; wait"
+                                         : "echo $$ > started; echo $$ > part; mv part all; exec sleep 60"),
+                         {.folder = folder, .own_group = own_group});
+      child.wait();
+      _exit(1);
+    }
+    wait_for("all");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const pid_t program = std::stoi(text_of("all"));
+    const pid_t started = std::stoi(text_of("started"));
+    ASSERT_EQ(kill(started, 0), 0);
+    kill(parent, SIGKILL);
+    waitpid(parent, nullptr, 0);
+    EXPECT_TRUE(has_ended(program)) << "group " << own_group;
+    EXPECT_TRUE(has_ended(started)) << "group " << own_group;
+    fs::remove(folder / "all");
+  }
+}
+
+TEST_F(Process, OfAGroupTellsHowItEndedAndClosesItsPipe) {
+  ChildProcess child(shell("echo one >&3; exec 3>&-; sleep 0.05; exit 3"), {.own_group = true, .piped = 3});
+  EXPECT_EQ(child.read_line(), "one");
+  EXPECT_EQ(child.read_line(), std::nullopt);
+  EXPECT_EQ(child.wait(), 3);
+  EXPECT_EQ(ChildProcess(shell("kill -KILL $$"), {.own_group = true}).wait(), 128 + SIGKILL);
+  EXPECT_EQ(ChildProcess(shell("kill -SEGV $$"), {.own_group = true}).wait(), 128 + SIGSEGV);
+}
+
+TEST_F(Process, SaysWhyAProgramCannotBeStarted) {
+  std::ofstream(folder / "text") << "no program\n";
+  for (const bool own_group : {false, true}) {
+    EXPECT_THROW(ChildProcess({(folder / "text").string()}, {.own_group = own_group}), StartError);
+    EXPECT_THROW(ChildProcess({"sh"}, {.folder = folder / "absent", .own_group = own_group}), StartError);
+  }
 }
 
 // The signals of a terminal and of a batch system: the child decides how it ends.

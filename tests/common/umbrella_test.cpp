@@ -2,14 +2,18 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "case/reader/case_file.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
+#include "common/process.hpp"
 #include "common/run_folder.hpp"
 #include "common/warnings.hpp"
 
@@ -124,6 +128,31 @@ TEST_F(Umbrella, StopsAtTheFirstStageThatFails) {
   EXPECT_EQ(thalweg("run case.toml"), 130);
   EXPECT_EQ(calls(), "gencase case.toml --out out/flume\nsolver out/flume\n");
   EXPECT_THAT(errors(), HasSubstr("solver ended with status 130"));
+}
+
+TEST_F(Umbrella, MakesTheReportWithoutAMeshModelThatFails) {
+  install_openfoam();
+  install("foam", 1);
+  EXPECT_EQ(thalweg("run case.toml"), 1);
+  EXPECT_THAT(calls(), HasSubstr("postproc out/flume --report\n"));
+  EXPECT_THAT(output(), HasSubstr("== foam failed; the report does without it\n"));
+}
+
+// kill -9 leaves the umbrella no time to end its stage, which gets SIGTERM all the same.
+TEST_F(Umbrella, TakesItsStageAlongWhenItIsKilled) {
+  std::ofstream(folder / "bin/thalweg-solver") << "#!/bin/sh\ntrap 'echo asked > asked; exit' TERM\necho $$ > part\n"
+                                                  "/bin/mv part started\nwhile :; do /bin/sleep 0.01; done\n";
+  ChildProcess umbrella({(folder / "bin/thalweg").string(), "run", "case.toml", "--no-foam"},
+                        {.log = folder / "log", .folder = folder});
+  const auto appears = [&](const char* name) {
+    for (int i = 0; i < 1000 && !fs::exists(folder / name); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return fs::exists(folder / name);
+  };
+  ASSERT_TRUE(appears("started")) << text_of(folder / "log");
+  kill(umbrella.id(), SIGKILL);
+  EXPECT_EQ(umbrella.wait(), 128 + SIGKILL);
+  EXPECT_TRUE(appears("asked"));
 }
 
 TEST_F(Umbrella, StartsNothingWhenTheCaseIsWrongOrAStageIsAbsent) {

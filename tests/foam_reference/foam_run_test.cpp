@@ -46,6 +46,17 @@ TEST_F(FoamRunTest, ReturnsTheStepsOfARunThatEnds) {
   EXPECT_GT(run.wall_seconds, 0);
 }
 
+// OpenFOAM cuts paths at blanks and refuses those of more than 1024 characters.
+TEST_F(FoamRunTest, GoesAPlainWayToAnyFolder) {
+  stand_in("blockMesh", "case \"$PWD\" in *' '*) exit 1 ;; esac; test ${#PWD} -lt 1024");
+  stand_in("multiphaseInterFoam", "printf 'deltaT = 0.1\\nTime = 0.1\\n'");
+  const std::string name(250, 'd');
+  for (const fs::path& way : {fs::path("a b"), fs::path("d") / name / name / name / name}) {
+    for (const auto& [file, text] : case_files(make_foam_case(still_tank(), 1))) folder_.write(way / file, text);
+    EXPECT_EQ(run_foam(folder_.path() / way, 0.1).steps.size(), 1U);
+  }
+}
+
 TEST_F(FoamRunTest, SaysAtWhichTimeAndInWhichLogTheSolverFailed) {
   stand_in(
       "multiphaseInterFoam",

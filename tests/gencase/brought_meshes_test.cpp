@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "common/error.hpp"
+#include "gencase/booleans.hpp"
 #include "gencase/mesh_bodies.hpp"
 #include "gencase/mesh_defects.hpp"
 #include "gencase/mesh_reader.hpp"
@@ -297,7 +298,7 @@ TEST(Slice, OfABodyThatBeginsAtThePlane) {
   }
 }
 
-TEST(ThickTank, IsAskedAboutAndFilledByABox) {
+TEST(ThickTank, IsNoContainerAndALevelFillsItsHollow) {
   const Triangles outer = tessellate_box(Vec3(-0.03, -0.03, -0.03), Vec3(0.43, 0.33, 0.23));
   const Triangles tank = together({outer, turned(tessellate_box(Vec3(0, 0, 0), Vec3(0.4, 0.3, 0.2)))});
   Case scene = empty_scene(3, 0.01);
@@ -307,10 +308,62 @@ TEST(ThickTank, IsAskedAboutAndFilledByABox) {
                                         "material"));
   EXPECT_LE(refusal(scene).size(), 300U);
   scene.shapes[0].side = WallSide::inside;
-  EXPECT_THAT(refusal(scene), HasSubstr("a tank that is drawn with its wall is filled by a box of water"));
-  scene.shapes.pop_back();
-  add_box(scene, "pool", ShapeRole::water, Vec3(-0.03, -0.03, -0.03), Vec3(0.43, 0.33, 0.1));
   EXPECT_EQ(count(generate(scene).particles, ParticleType::water), 40 * 30 * 10);
+}
+
+/// A tank of 0.4 x 0.3 x 0.2 m inside with walls of 3 cm, open at the top, without what `cut` takes away.
+Triangles open_tank(const Triangles& cut = {}) {
+  const Triangles outer = tessellate_box(Vec3(-0.03, -0.03, -0.03), Vec3(0.43, 0.33, 0.2));
+  const Triangles tank = combine(outer, tessellate_box(Vec3(0, 0, 0), Vec3(0.4, 0.3, 0.3)), Boolean::subtract);
+  return cut.corners.empty() ? tank : combine(tank, cut, Boolean::subtract);
+}
+
+Case filled_tank(const Triangles& tank, double level) {
+  Case scene = empty_scene(3, 0.01);
+  add_mesh(scene, "tank", ShapeRole::wall, tank);
+  fill_to(scene, level);
+  return scene;
+}
+
+TEST(ThickTank, OpenAtTheTopIsFilledUpToItsRim) {
+  EXPECT_EQ(count(generate(filled_tank(open_tank(), 0.1)).particles, ParticleType::water), 40 * 30 * 10);
+  EXPECT_EQ(count(generate(filled_tank(open_tank(), 0.2)).particles, ParticleType::water), 40 * 30 * 20);
+  const std::string over = refusal(filled_tank(open_tank(), 0.21));
+  EXPECT_THAT(over,
+              HasSubstr("finds no hollow that the walls before it hold up to 21 cm: what it fills would run out"));
+  EXPECT_LE(over.size(), 300U);
+}
+
+TEST(ThickTank, RunsOutOfAHoleAboveTheLevelOnly) {
+  const Triangles pierced = open_tank(tessellate_box(Vec3(0.35, 0.1, 0.1), Vec3(0.5, 0.2, 0.15)));
+  EXPECT_EQ(count(generate(filled_tank(pierced, 0.1)).particles, ParticleType::water), 40 * 30 * 10);
+  EXPECT_THAT(refusal(filled_tank(pierced, 0.12)), HasSubstr("would run out"));
+}
+
+TEST(ThickTank, IsFilledWhereverItStandsAndAroundWhatStandsInIt) {
+  Triangles tank = open_tank();
+  for (Vec3& p : tank.points) p += Vec3(0.0031, -0.0017, 0.0043);
+  EXPECT_EQ(count(generate(filled_tank(tank, 0.1)).particles, ParticleType::water), 40 * 30 * 10);
+  Case scene = empty_scene(3, 0.01);
+  add_mesh(scene, "tank", ShapeRole::wall, open_tank());
+  add_box(scene, "pier", ShapeRole::wall, Vec3(0.1, 0.1, 0), Vec3(0.2, 0.2, 0.2));
+  fill_to(scene, 0.1);
+  EXPECT_EQ(count(generate(scene).particles, ParticleType::water), (40 * 30 - 10 * 10) * 10);
+}
+
+TEST(ThickTank, OfBoxesHoldsALevelAndALayer) {
+  Case scene = empty_scene(2, 0.01);
+  add_sand(scene);
+  add_box(scene, "floor", ShapeRole::wall, Vec3(-0.05, 0, -0.05), Vec3(0.45, 0, 0));
+  add_box(scene, "left", ShapeRole::wall, Vec3(-0.05, 0, 0), Vec3(0, 0, 0.2));
+  add_box(scene, "right", ShapeRole::wall, Vec3(0.4, 0, 0), Vec3(0.45, 0, 0.2));
+  fill_to(scene, 0.1);
+  Shape& bed = add_box(scene, "bed", ShapeRole::sediment, Vec3::Zero(), Vec3::Zero());
+  bed.kind = ShapeKind::layer;
+  bed.thickness = 0.05;
+  const ParticleSet filled = generate(scene).particles;
+  EXPECT_EQ(count(filled, ParticleType::sediment), 40 * 5);
+  EXPECT_EQ(count(filled, ParticleType::water), 40 * 5);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy over the units of the programs: static_analysis.py ROOT BUILD [CLANG_TIDY RUN_CLANG_TIDY]
+"""Runs clang-tidy over the units of the programs: static_analysis.py ROOT BUILD CLANG_TIDY PLUGIN
 
-The tests are left out: they cost as much again and decide nothing for a user. A unit that passed is analysed again only
-when its preprocessed text, its flags or .clang-tidy have changed; BUILD/static_analysis remembers.
+The tests are left out: they cost as much again and decide nothing for a user. PLUGIN keeps the checks out of the libraries'
+headers (static_analysis/own_sources.cpp). A unit that passed is analysed again only when its text, one of the files that it
+was built from, its flags or the checks have changed; BUILD/static_analysis remembers.
 """
 
 import concurrent.futures
@@ -27,35 +28,75 @@ def units(root, build):
     return chosen
 
 
-def fingerprint(root, entry):
-    """Changes whenever the analysis of a unit could come out differently."""
+def built_from(build):
+    """For each object that ninja has built, the files that it was made of, as ninja noted them."""
+    listing = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True).stdout
+    found, files = {}, []
+    for line in listing.splitlines():
+        if line.startswith("    "):
+            files.append(build / line.strip())
+        elif ": #deps" in line:
+            files = found[line.split(": #deps")[0]] = []
+    return found
+
+
+class Digests:
+    """Digests of files, each read once: of the project's by content, of the libraries' by size and time."""
+
+    def __init__(self, root):
+        self.root, self.known = root, {}
+
+    def of(self, path):
+        if path not in self.known:
+            state = path.stat()
+            own = path.resolve().is_relative_to(self.root)
+            content = path.read_bytes() if own else f"{state.st_size} {state.st_mtime_ns}".encode()
+            self.known[path] = str(path).encode() + hashlib.sha256(content).digest(), state.st_mtime_ns
+        return self.known[path]
+
+
+def fingerprint(entry, files, digests, always):
+    """Changes whenever the analysis of a unit could come out differently; None if a file is newer than what ninja noted."""
     words = shlex.split(entry["command"])
-    words[words.index("-o"):words.index("-o") + 2] = []
-    words[words.index("-c")] = "-E"
-    text = subprocess.run(words, cwd=entry["directory"], capture_output=True).stdout
-    return hashlib.sha256((root / ".clang-tidy").read_bytes() + entry["command"].encode() + text).hexdigest()
+    built = pathlib.Path(entry["directory"], words[words.index("-o") + 1])
+    try:
+        parts = [digests.of(path) for path in files]
+        if not files or any(changed > built.stat().st_mtime_ns for _, changed in parts):
+            return None
+    except OSError:
+        return None
+    return hashlib.sha256(b"".join([always, entry["command"].encode(), *(digest for digest, _ in parts)])).hexdigest()
 
 
-def check(root, build, clang_tidy="clang-tidy-14", run_clang_tidy="run-clang-tidy-14"):
-    root, build = pathlib.Path(root).resolve(), pathlib.Path(build).resolve()
+def analyse(path, root, database, clang_tidy, plugin):
+    """The findings of clang-tidy in a unit, or nothing."""
+    result = subprocess.run([clang_tidy, f"--load={plugin}", "-p", database, "-quiet",
+                             "-extra-arg=-Wno-unknown-warning-option", path], cwd=root, capture_output=True, text=True)
+    return result.returncode and (result.stdout or result.stderr or f"{path}: clang-tidy ended with {result.returncode}")
+
+
+def check(root, build, clang_tidy, plugin):
+    root, build, plugin = (pathlib.Path(path).resolve() for path in (root, build, plugin))
     passed = build / "static_analysis"
     passed.mkdir(exist_ok=True)
-    chosen = units(root, build)
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
-        fingerprints = dict(zip(chosen, workers.map(lambda entry: fingerprint(root, entry), chosen.values())))
-    changed = [path for path in chosen if not (passed / fingerprints[path]).exists()]
+    chosen, made_of, digests = units(root, build), built_from(build), Digests(root)
+    always = (root / ".clang-tidy").read_bytes() + plugin.read_bytes()
+    files = {path: made_of.get((words := shlex.split(entry["command"]))[words.index("-o") + 1], [])
+             for path, entry in chosen.items()}
+    marks = {path: fingerprint(entry, files[path], digests, always) for path, entry in chosen.items()}
+    changed = [path for path in chosen if not (marks[path] and (passed / marks[path]).exists())]
     print(f"{len(chosen)} units, {len(changed)} of them new or changed")
-    if not chosen or not changed:
-        return 0 if chosen else 1
 
+    # A unit of many files takes long: it starts first, so that no core waits for it at the end.
+    changed.sort(key=lambda path: -len(files[path]))
     (passed / "compile_commands.json").write_text(json.dumps([chosen[path] for path in changed]))
-    status = subprocess.run([run_clang_tidy, "-clang-tidy-binary", clang_tidy, "-p", passed, "-quiet",
-                             "-j", str(os.cpu_count()), "-extra-arg=-Wno-unknown-warning-option"], cwd=root,
-                            stderr=subprocess.DEVNULL).returncode
-    if status == 0:
-        for path in changed:
-            (passed / fingerprints[path]).touch()
-    return status
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
+        findings = dict(zip(changed, workers.map(lambda path: analyse(path, root, passed, clang_tidy, plugin), changed)))
+    for path, found in findings.items():
+        if not found and marks[path]:
+            (passed / marks[path]).touch()
+    print("\n".join(dict.fromkeys(filter(None, findings.values()))))
+    return 1 if not chosen or any(findings.values()) else 0
 
 
 if __name__ == "__main__":

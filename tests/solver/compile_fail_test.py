@@ -9,6 +9,7 @@ has to be the sentence of the static_assert that says what is missing.
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 ROOT, BUILD = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
@@ -26,9 +27,11 @@ SWEEP = {
                }""",
     "end": "void end(Index, const Sum<float>&) const {}",
 }
-SNIPPET = """
+HEADERS = """
 #include "solver/backend/openmp.hpp"
 #include "tests/solver/guarded_runtime.hpp"
+"""
+SNIPPET = """
 using namespace thalweg;
 struct Body { %(body)s };
 template <class Device>
@@ -51,7 +54,12 @@ class Bodies(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         compiler, flags = flags_by_room(ROOT, BUILD)["solver"]
-        cls.command = [compiler, *flags, "-fsyntax-only", "-x", "c++", "-"]
+        folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="thalweg-compile-")))
+        # The headers are compiled once for all snippets.
+        headers = folder / "headers.hpp"
+        headers.write_text(HEADERS)
+        subprocess.run([compiler, *flags, "-x", "c++-header", headers], cwd=ROOT, check=True)
+        cls.command = [compiler, *flags, "-fsyntax-only", "-include", headers, "-x", "c++", "-"]
 
     def errors(self, body, call, device):
         """The compiler's errors, without the places they were found in."""
