@@ -18,8 +18,8 @@ FORBIDDEN = {
     r"[ \t]+$": "space at the end of the line; remove it",
     r"\t": "a tab; indent with spaces",
 }
-# Foreign text that is kept as it is, and formats in which a tab or a line's last space carries meaning.
-VERBATIM = re.compile(r"^(LICENSE|LICENSES/.*|.*/reference/.*|.*\.(stl|vtp|png|svg))$")
+# Foreign text that is kept as it is, inputs as fuzzing found them, and formats in which a tab or a line's last space carries meaning.
+VERBATIM = re.compile(r"^(LICENSE|LICENSES/.*|tests/fuzz/inputs/.*|.*/reference/.*|.*\.(stl|vtp|png|svg))$")
 LARGEST = 1_000_000  # [bytes]; data that are larger belong to a release, not into the history
 
 
