@@ -37,7 +37,8 @@ class FoamLibraryTest : public testing::Test {
   }
 
   void run(const Case& scene, FoamModel model, int ranks = 1) {
-    ASSERT_EQ(reference_run(foam_case(scene, model, ranks), folder_.path()), Reference::computed);
+    const auto silent = [](const std::string&) {};
+    ASSERT_EQ(reference_run(foam_case(scene, model, ranks), folder_.path(), silent), Reference::computed);
   }
 
   /// Runs a case whose files a test has changed.
