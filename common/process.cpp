@@ -144,11 +144,10 @@ void ChildProcess::end(int signal) {
   kill(own_group_ ? -process_ : process_, signal);
   constexpr std::chrono::milliseconds grace(grace_seconds * 1000);
   // The keeper of a group counts the grace itself.
-  if (own_group_ || ends_within(grace)) {
-    collect(0);
-    return;
+  if (!own_group_) {
+    if (ends_within(grace)) return;
+    kill(process_, SIGKILL);
   }
-  kill(process_, SIGKILL);
   collect(0);
 }
 

@@ -113,7 +113,8 @@ TEST_F(ProfileFile, ComesBackWithItsGaps) {
 TEST_F(ProfileFile, RefusesWhatIsNoProfile) {
   EXPECT_EQ(profile_message("bed [m]\n1\n"), "a.csv:1: there is no column \"x\"; the columns are bed");
   EXPECT_EQ(profile_message("x [m], scour [m]\n1,2\n"),
-            "a.csv:1: unknown column \"scour [m]\"; a profile has x [m], free_surface [m], bed [m], moving_bed [m]");
+            "a.csv:1: unknown column \"scour [m]\"; a profile has x [m], free_surface [m], bed [m], "
+            "moving_bed [m], floor [m]");
   EXPECT_EQ(profile_message("x [m], bed [m]\n1,2\n1,3\n"),
             "a.csv:3: x = 1 does not increase; sort the rows by x and keep one for each");
   EXPECT_EQ(profile_message("x [m], bed [m]\n,2\n"), "a.csv:2: x is missing; every row needs one");

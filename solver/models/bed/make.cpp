@@ -28,8 +28,8 @@ void BedModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const SedimentParameters& s = of.sediment();
   if (!scene.seepage.mixture) scene.sediment_density = static_cast<float>(s.bed_density());
   SedimentScene& law = scene.sediment;
-  law = SedimentScene{make_material<float>(s, {of.model.yield, of.model.yield_fit, of.model.rheology,
-                                             of.model.implementation == Implementation::paper})};
+  law = SedimentScene{make_material<float>(
+      s, {of.model.yield, of.model.yield_fit, of.model.rheology, of.model.implementation == Implementation::paper})};
   law.effective_pressure = of.model.effective_pressure;
   const double gravity = -of.domain.gravity.z();
   law.submerged_weight = static_cast<float>(submerged_weight(s.bed_density(), s.pore_density, gravity));
