@@ -53,7 +53,7 @@ struct SuspendedLoadModel {
   template <class C>
   static void after_reading(C& step) {
     constexpr std::int64_t interval = 100;  // steps
-    if (step.now.number % interval == 0) step.now.squared_drift = INFINITY;
+    if ((step.now.number + 1) % interval == 0) step.now.squared_drift = INFINITY;
   }
 };
 

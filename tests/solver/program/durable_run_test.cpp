@@ -100,12 +100,12 @@ TEST_F(DurableRun, RefusesAnIncompleteCheckpoint) {
     EXPECT_THAT(refusal_of(restart()), HasSubstr(named));
     std::filesystem::copy(half_run->folder().root, run.folder().root, recursive);
   };
-  refused([](Checkpoint& c) { c.particles.info.time = -1; }, "its time is -1 s");
+  refused([](Checkpoint& c) { c.particles.info.time = -1; }, "TimeValue in its field data is -1;");
   refused([](Checkpoint& c) { c.particles.info.code_version = "9.9.9"; }, "version 9.9.9");
   refused([](Checkpoint& c) { c.particles.id[1] = c.particles.id[0]; }, "two particles have the id");
   refused([](Checkpoint& c) { c.particles.mass[0] = NAN; }, "its mass is nan kg");
   refused([](Checkpoint& c) { c.particles.position[1] = c.particles.position[0]; }, "it lies in the place of particle");
-  refused([](Checkpoint& c) { c.particles.info.spacing = NAN; }, "the fact Spacing is missing");
+  refused([](Checkpoint& c) { c.particles.info.spacing = NAN; }, "Spacing in its field data is nan;");
 }
 
 // Arrays that are left out, or the half of all particles, as a tool that rewrites the file would do.
