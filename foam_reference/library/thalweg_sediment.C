@@ -49,9 +49,9 @@ thalweg::SedimentParameters parameters_of(const dictionary& of) {
 thalwegSediment::Law thalwegSediment::law_of(const dictionary& of) {
   const thalweg::SedimentParameters parameters = parameters_of(of);
   Law law;
-  law.material = thalweg::make_material<double>(
-      parameters, {criteria.get("yieldCriterion", of), fits.get("yieldFit", of), rheologies.get("rheology", of),
-                   of.get<bool>("asPrinted")});
+  law.material =
+      thalweg::make_material<double>(parameters, {criteria.get("yieldCriterion", of), fits.get("yieldFit", of),
+                                                  rheologies.get("rheology", of), of.get<bool>("asPrinted")});
   law.density = of.get<scalar>("density");
   law.least_viscosity = of.get<scalar>("leastViscosity");
   law.pressure.closure = closures.get("effectivePressure", of);
