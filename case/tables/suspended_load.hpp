@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/models/suspended_load.hpp"
+#include "case/tables/common_checks.hpp"
 #include "case/tables/table.hpp"
 
 namespace thalweg {

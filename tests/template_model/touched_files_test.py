@@ -39,6 +39,14 @@ class TouchedFiles(unittest.TestCase):
         self.assertEqual(named, set(HOME), "files that name the template model")
         self.assertEqual(set(listed_files("A model")), set(HOME.values()) | BY_HAND)
 
+    def test_the_list_is_the_solvers_and_one_model_more(self):
+        def models(name):
+            return re.findall(r"\w+", re.search(r"ModelList<([^>]*)>", (ROOT / name).read_text())[1])
+
+        solvers = models("solver/models/list.hpp")
+        self.assertGreater(len(solvers), 5)
+        self.assertEqual(models(f"{TEMPLATE}/solver/models/list.hpp"), [*solvers, "TracerModel"])
+
     def test_the_listed_files_exist(self):
         for heading in ("An array", "A case key", "A material law", "A model", "A case table"):
             for name in listed_files(heading):

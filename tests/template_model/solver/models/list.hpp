@@ -12,6 +12,7 @@
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
 #include "solver/models/sub_particle/model.hpp"
+#include "solver/models/suspended_load/model.hpp"
 #include "solver/models/wall_stress/model.hpp"
 #include "tests/template_model/tracer/model.hpp"
 
@@ -22,6 +23,6 @@ namespace thalweg {
 /// The list. Within a stage models run in this order.
 using AllModels =
     ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, SubParticleModel,
-              StatesModel, BedLoadModel, RestModel, WallStressModel, ShiftingModel, TracerModel>;
+              StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel, ShiftingModel, TracerModel>;
 
 }  // namespace thalweg
