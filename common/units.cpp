@@ -50,6 +50,8 @@ const ut_system* unit_system() {
     }
     const Unit degree(ut_parse(read.get(), "arc_degree", UT_ASCII));
     ut_map_name_to_unit("deg", UT_ASCII, degree.get());  // UDUNITS itself knows only "degree" and "arcdeg"
+    const Unit byte(ut_parse(read.get(), "byte", UT_ASCII));
+    ut_map_symbol_to_unit("B", UT_ASCII, byte.get());  // a symbol takes prefixes: GB
     return read;
   }();
   return system.get();

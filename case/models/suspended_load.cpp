@@ -18,8 +18,6 @@ std::vector<Rule> SuspendedLoadOfWater::rules() {
   return {{[](const Case& c) { return !ThreeState::is_on(c) || c.model.implementation != Implementation::law; },
            "suspended_load.carried_by", "water that carries grains needs the laws of three-state sediment",
            "write sediment = \"three-state\" and implementation = \"law\" in [model]"},
-          {Mixture::is_on, "suspended_load.carried_by", "the water of a mixture carries no concentration",
-           "remove carried_by, or write seepage = \"off\""},
           {[](const Case& c) { return !c.has_sediment(); }, "suspended_load.carried_by",
            "no shape of the scene has sediment, and no water has a concentration",
            "give a shape the role \"sediment\", or a shape of water a concentration"}};

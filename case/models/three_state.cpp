@@ -1,5 +1,7 @@
 #include "case/models/three_state.hpp"
 
+#include <algorithm>
+
 #include "case/case.hpp"
 
 namespace thalweg::models {
@@ -21,7 +23,13 @@ std::vector<Rule> ThreeState::rules() {
            "give domain.gravity, or write sediment = \"viscoplastic\""},
           {[](const Case& c) { return !(c.water.viscosity > 0); }, "materials.water.viscosity",
            "sediment = \"three-state\" needs the water's viscosity for shear and settling",
-           "give it, or write sediment = \"viscoplastic\""}};
+           "give it, or write sediment = \"viscoplastic\""},
+          {[](const Case& c) {
+             return std::none_of(c.shapes.begin(), c.shapes.end(),
+                                 [](const Shape& shape) { return shape.role == ShapeRole::water; });
+           },
+           "model.sediment", "sediment = \"three-state\" needs water, which moves grains along and lifts them",
+           "give a shape the role \"water\", or write sediment = \"viscoplastic\""}};
 }
 
 }  // namespace thalweg::models

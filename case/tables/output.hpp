@@ -19,6 +19,7 @@ struct Output {
   double history_interval = 0;       // [s]
   double gauge_interval = 0;         // [s]
   double checkpoint_interval = 120;  // [s] of wall-clock time
+  double disk_limit = 0;             // [byte]
 
   template <class V>
   void describe(V& v) {
@@ -32,6 +33,9 @@ struct Output {
     v.quantity(
         "checkpoint_interval", checkpoint_interval, "s", 0, 1e9,
         "Wall-clock time between checkpoints, from which an interrupted run continues; 0: one after every step.");
+    v.quantity("disk_limit", disk_limit, "byte", 0, 1e18,
+               "Disk space that snapshots and checkpoints may take, such as \"20 GB\": a run that is estimated to take "
+               "more does not begin; 0: whatever there is.");
   }
 
   void check(const Case& whole, const CheckContext& at) const;

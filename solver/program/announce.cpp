@@ -60,17 +60,6 @@ void announce_choices(const Case& of) {
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
   for (const std::string& warning : warnings_of_coarse_grains(of)) spdlog::warn(warning);
-  for (const std::string& warning : warnings_of_dry_states(of)) spdlog::warn(warning);
-}
-
-std::vector<std::string> warnings_of_dry_states(const Case& c) {
-  const bool wet =
-      std::any_of(c.shapes.begin(), c.shapes.end(), [](const Shape& shape) { return shape.role == ShapeRole::water; });
-  if (wet || c.model.sediment != SedimentModel::three_state) return {};
-  return {
-      "model.sediment = \"three-state\", and no shape is water: nothing moves grains along or lifts them, all of the "
-      "bed "
-      "stays deposit; add water, or write sediment = \"viscoplastic\""};
 }
 
 std::vector<std::string> warnings_of_coarse_grains(const Case& c) {

@@ -17,9 +17,6 @@ void announce_choices(const Case& of);
 /// a particle (the drift is at most the water's speed), and a roughness that reaches over the water next to the bed.
 std::vector<std::string> warnings_of_coarse_grains(const Case& of);
 
-/// A sentence for three states without a shape of water; nothing moves the grains of such a bed but their weight.
-std::vector<std::string> warnings_of_dry_states(const Case& of);
-
 /// Warns if walls move faster than the case expects: the sound speed follows from the expected speed.
 void warn_of_fast_walls(const Case& of, const ParticleSet& start);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "common/error.hpp"
 #include "common/memory.hpp"
 #include "common/units.hpp"
 #include "solver/program/schedule.hpp"
@@ -43,6 +44,13 @@ void check_disk(const Case& scene, const RunFolder& run, const ParticleSet& star
   if (snapshots > many_snapshots) {
     spdlog::warn("every snapshot ends a time step: {:.0f} of them slow the run down; lengthen output.interval (now {})",
                  snapshots, format_quantity(scene.output.interval, "s"));
+  }
+  if (scene.output.disk_limit > 0 && needed > scene.output.disk_limit) {
+    throw InputError(fmt::format(
+        "{}: the files of the run will take about {}, and output.disk_limit is {}; lengthen output.interval (now {}), "
+        "or raise the limit",
+        run.root.string(), format_bytes(needed), format_bytes(scene.output.disk_limit),
+        format_quantity(scene.output.interval, "s")));
   }
   if (needed > free / 2) {
     spdlog::warn(

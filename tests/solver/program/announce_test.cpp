@@ -34,15 +34,5 @@ TEST(CoarseGrains, AreNoMatterWhereNoLawMovesThem) {
   EXPECT_THAT(warnings_of_coarse_grains(c), IsEmpty());
 }
 
-TEST(DryStates, AreWarnedOfWhereNoShapeIsWater) {
-  Case c = bed_of(0.002, 0.002);
-  EXPECT_THAT(warnings_of_dry_states(c), ElementsAre(HasSubstr("no shape is water")));
-  c.model.sediment = SedimentModel::viscoplastic;
-  EXPECT_THAT(warnings_of_dry_states(c), IsEmpty());
-  c.model.sediment = SedimentModel::three_state;
-  c.shapes.emplace_back().role = ShapeRole::water;
-  EXPECT_THAT(warnings_of_dry_states(c), IsEmpty());
-}
-
 }  // namespace
 }  // namespace thalweg
