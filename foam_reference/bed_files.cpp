@@ -38,7 +38,7 @@ std::string eroding_bed_function(const FoamCase& foam_case) {
                      {"friction_angle", number(s.friction_angle)},
                      {"lift_ratio", number(s.lift_ratio)},
                      {"roughness", number(s.roughness > 0 ? s.roughness : s.grain_diameter)},
-                     {"critical", number(s.critical_shields)},
+                     {"critical", number(critical_shields_of(s, scene.water.density, scene.domain.gravity.norm()))},
                      {"bed_load", dictionary_word(scene.foam.bed_load)},
                      {"pick_up", dictionary_word(scene.foam.pick_up)},
                      {"drag", number(bed_drag)},

@@ -11,14 +11,15 @@
 // The words with which a case chooses the laws of the bed's strength.
 namespace thalweg {
 
-inline constexpr std::array<Choice<EffectivePressure>, 4> choices(EffectivePressure) {
-  return {
-      {{EffectivePressure::column, "column", "weight under water of the sediment above, column by column"},
-       {EffectivePressure::laplace, "laplace", "Laplace's equation in the bed, one layer's weight at its surface"},
-       {EffectivePressure::eos, "eos",
-        "(1 - pore density / bed density) of the pressure: strength at the very surface; for comparison"},
-       {EffectivePressure::total, "total",
-        "the pressure of water and bed together, which the paper's print uses: the water's weight makes strength"}}};
+inline constexpr std::array<Choice<EffectivePressure>, 5> choices(EffectivePressure) {
+  return {{{EffectivePressure::column, "column", "weight under water of the sediment above, column by column"},
+           {EffectivePressure::laplace, "laplace", "Laplace's equation in the bed, one layer's weight at its surface"},
+           {EffectivePressure::eos, "eos",
+            "(1 - pore density / bed density) of the pressure: strength at the very surface; for comparison"},
+           {EffectivePressure::total, "total",
+            "the pressure of water and bed together, which the paper's print uses: the water's weight makes strength"},
+           {EffectivePressure::grains, "grains",
+            "seepage = \"mixture\", and its default: the grains' own pressure, less where water seeps upwards"}}};
 }
 inline constexpr std::array<Choice<YieldCriterion>, 2> choices(YieldCriterion) {
   return {{{YieldCriterion::drucker_prager, "drucker-prager", "a cone; yield_fit says which"},

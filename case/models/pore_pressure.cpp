@@ -15,6 +15,12 @@ bool PorePressure::is_on(const Case& whole) {
   return false;
 }
 
-std::vector<Rule> PorePressure::rules() { return pore_water_rules("model.pore_pressure"); }
+std::vector<Rule> PorePressure::rules() {
+  std::vector<Rule> rules = pore_water_rules("model.pore_pressure");
+  rules.push_back({[](const Case& c) { return c.model.effective_pressure != EffectivePressure::column; },
+                   "model.effective_pressure", "model.pore_pressure takes the effective pressure from the columns",
+                   "write \"column\""});
+  return rules;
+}
 
 }  // namespace thalweg::models

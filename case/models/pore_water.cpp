@@ -3,28 +3,12 @@
 #include "case/case.hpp"
 
 namespace thalweg::models {
-namespace {
-
-bool lacks_columns(const Case& c) {
-  switch (c.model.effective_pressure) {
-    case EffectivePressure::column:
-      return false;
-    case EffectivePressure::laplace:
-    case EffectivePressure::eos:
-    case EffectivePressure::total:
-      return true;
-  }
-  return true;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Rule> pore_water_rules(const std::string& key) {
   // Rules are asked in this order: without the first, there may be no sediment whose pores the others could ask for.
   return {{[](const Case& c) { return !c.has_sediment(); }, key, key + " is on, and no shape has the role sediment",
            "remove it"},
-          {lacks_columns, "model.effective_pressure", key + " takes the effective pressure from the columns",
-           "write \"column\""},
           {[](const Case& c) { return c.sediment().pore_density != c.water.density; }, key,
            key + " needs pores full of the scene's water", "give pore_density the density of water"},
           // Ergun's law loses its meaning below.

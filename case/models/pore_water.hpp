@@ -7,8 +7,8 @@
 
 namespace thalweg::models {
 
-/// The needs of a model in which the water of the pores moves: a bed with pores full of the scene's water, whose
-/// effective pressure is the weight of the columns. `key` is the full name of the key that switches the model on.
+/// The needs of a model in which the water of the pores moves: a bed with pores full of the scene's water, and wide
+/// enough for Ergun's law. `key` is the full name of the key that switches the model on.
 std::vector<Rule> pore_water_rules(const std::string& key);
 
 }  // namespace thalweg::models

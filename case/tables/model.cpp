@@ -11,6 +11,9 @@
 namespace thalweg {
 
 void Model::set_defaults(const GivenWords& given) {
+  if (given.choice<SeepageModel>("model.seepage") == SeepageModel::mixture) {
+    effective_pressure = EffectivePressure::grains;
+  }
   switch (given.choice<Implementation>("model.implementation").value_or(Implementation::law)) {
     case Implementation::law:
     case Implementation::consistent:

@@ -37,6 +37,14 @@ void SedimentTable::check(const Case& whole, const CheckContext& at) const {
         at.key("grain_density") + " is not above the water's density: grains that float have no threshold of motion",
         "give the grains' own density, without pores, or write model.sediment = \"viscoplastic\"");
   }
+  if (suction > 0 && whole.model.effective_pressure != EffectivePressure::column) {
+    at.reject(at.key("suction"), at.key("suction") + " adds to the effective pressure of the columns alone",
+              "write effective_pressure = \"column\" in [model], or remove it");
+  }
+  if (critical_stress > 0 && critical_shields > 0) {
+    at.reject(at.key("critical_stress"), at.key("critical_stress") + " and critical_shields say the same of the bed",
+              "remove one of the two");
+  }
   if (critical_porosity > 0 && !models::PorePressure::is_on(whole)) {
     at.reject(at.key("critical_porosity"),
               at.key("critical_porosity") + " means nothing without the pressure of the water in the pores",

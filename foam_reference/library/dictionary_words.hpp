@@ -20,6 +20,7 @@ inline const char* dictionary_word(EffectivePressure choice) {
     case EffectivePressure::total:
       return "total";
     case EffectivePressure::column:
+    case EffectivePressure::grains:  // of a mixture, which the mesh does not have
       break;
   }
   return "column";

@@ -13,7 +13,9 @@ namespace thalweg {
 ///             (solver/models/bed/laplace_pressure.hpp)
 ///   eos       a share of the pressure from the equation of state; for comparison only
 ///   total     all of that pressure, as the paper's (9) and (14) print it; for comparison only
-enum class EffectivePressure { column, laplace, eos, total };
+///   grains    the pressure of the grains of a mixture on each other (solver/models/seepage): water that seeps upwards
+///             takes it away, downwards adds to it
+enum class EffectivePressure { column, laplace, eos, total, grains };
 
 /// Weight of the bed under water per volume (rho_bed - rho_pore) g [N/m^3]. Densities of the bed as a whole and of the
 /// fluid in its pores [kg/m^3], gravity g [m/s^2]. 1540 kg/m^3 in water: 5297 N/m^3.

@@ -13,6 +13,7 @@ struct SedimentParameters {
   double grain_diameter = NAN;        // [m] d50
   double friction_angle = NAN;        // [rad]
   double cohesion = 0;                // [Pa]
+  double suction = 0;                 // [Pa] of the pore water where the bed is out of the water
   double pore_density = 1000;         // [kg/m^3] of what fills the pores; 0 for a dry bed
   double consistency = 1.5e-3;        // [Pa s^n]
   double flow_index = 1;              // [-]
@@ -22,6 +23,7 @@ struct SedimentParameters {
   double roughness = 0;               // [m] ks; 0: the grain diameter
   double lift_ratio = 0.85;           // [-] lift over drag of a grain
   double critical_shields = 0;        // [-]; 0: by the grain Reynolds number
+  double critical_stress = 0;         // [Pa] in its place; 0: by the Shields number
   double given_density = 0;           // [kg/m^3] of the bed as a whole; 0: by the porosity
   double oedometer_modulus = 1e6;     // [Pa]
   double critical_porosity = 0;       // [-]; 0: the packing keeps its porosity when it is sheared
@@ -58,6 +60,9 @@ struct SedimentParameters {
     v.quantity("grain_diameter", grain_diameter, "m", 1e-6, 0.5, "Median grain diameter d50.");
     v.quantity("friction_angle", friction_angle, "rad", 0, 1.2, "Angle of internal friction.");
     v.quantity("cohesion", cohesion, "Pa", 0, 1e7, "Cohesion: yield stress without any effective pressure.");
+    v.quantity("suction", suction, "Pa", 0, 1e6,
+               "Suction of the pore water where no water stands over the bed, which presses the grains of a wet bank "
+               "together: 9.81 kPa for a metre above the water table; up to the capillary rise of the sediment.");
     v.quantity("pore_density", pore_density, "kg/m^3", 0, 2000,
                "Density of the fluid in the pores: water for a saturated bed (default), 0 for a dry one.");
     v.quantity("consistency", consistency, "Pa s", 0, 1e6,
@@ -78,6 +83,9 @@ struct SedimentParameters {
     v.number("lift_ratio", lift_ratio, 0, 0.99, "Lift over drag of a grain on the bed (three-state).");
     v.number("critical_shields", critical_shields, 0, 1,
              "Shields number at which a flat bed begins to move; 0: by the grain Reynolds number.");
+    v.quantity("critical_stress", critical_stress, "Pa", 0, 1000,
+               "Shear stress at which a flat bed begins to move, measured, as for mud or clay: in place of "
+               "critical_shields and cohesion; 0: by these.");
     v.quantity("oedometer_modulus", oedometer_modulus, "Pa", 1e3, 1e11,
                "Stiffness of the packing against compression, with which excess pore pressure drains "
                "(model.pore_pressure).");

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "physics/host_device.hpp"
+#include "physics/sediment/sediment_parameters.hpp"
+#include "physics/transport/bed_shear.hpp"
 
 namespace thalweg {
 
@@ -18,6 +20,13 @@ HOST_DEVICE inline Real critical_shields_number(Real grain_reynolds) {
   if (!(grain_reynolds > 1)) return Real(0.1);
   if (grain_reynolds > 500) return Real(0.068);
   return Real(0.010595) * log(grain_reynolds) + Real(0.110476) / grain_reynolds + Real(0.0027197);
+}
+
+/// The critical Shields number [-] that a sediment gives, as one or as a stress; 0: it gives none. Water density
+/// [kg/m^3], gravity g [m/s^2].
+inline double critical_shields_of(const SedimentParameters& s, double water_density, double gravity) {
+  if (!(s.critical_stress > 0)) return s.critical_shields;
+  return s.critical_stress / grain_weight_stress(s.grain_density, water_density, gravity, s.grain_diameter);
 }
 
 }  // namespace thalweg

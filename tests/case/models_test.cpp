@@ -69,8 +69,9 @@ TEST_P(BrokenRule, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     Models, BrokenRule,
     ::testing::Values(
-        Contradiction{{"model.seepage=mixture", "model.effective_pressure=eos"},
-                      "model.seepage takes the effective pressure from the columns; write \"column\""},
+        Contradiction{
+            {"model.seepage=mixture", "model.effective_pressure=eos"},
+            "a mixture has the pressure of its grains, or that of the columns; write \"grains\" or \"column\""},
         Contradiction{{"model.pore_pressure=diffusion", "model.effective_pressure=laplace"},
                       "model.pore_pressure takes the effective pressure from the columns; write \"column\""},
         Contradiction{{"model.seepage=mixture", "model.sediment=three-state"},

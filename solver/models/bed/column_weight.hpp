@@ -15,8 +15,9 @@ struct ColumnWeight {
   typename Device::template Buffer<float> surface;           // per column: height of the bed's surface over node 0 [m]
   typename Device::template Buffer<float> slope;             // per column: tangent of the surface's steepest slope
   typename Device::template Buffer<std::uint8_t> wetted;     // per column: any fluid here
-  typename Device::template Buffer<std::uint8_t> content;    // per node: column_node
-  typename Device::template Buffer<std::uint8_t> covered;    // per column: sediment right below a body
+  typename Device::template Buffer<std::uint8_t> under_water;  // per column: any water here
+  typename Device::template Buffer<std::uint8_t> content;      // per node: column_node
+  typename Device::template Buffer<std::uint8_t> covered;      // per column: sediment right below a body
 };
 
 /// The content of a node: of the walls if one is next to it, or else of the fluid.
@@ -41,6 +42,7 @@ struct DepositPass {
   ColumnLattice<Dim> columns;
   std::int64_t* deposited;
   std::uint8_t* wetted;
+  std::uint8_t* under_water;
   std::uint8_t* content;
   AtomicAdd atomic_add_to;
 
@@ -68,6 +70,7 @@ struct DepositPass {
       const int up = (corner >> (Dim - 1)) & 1;
       const int level = node[Dim - 1] + up;
       if (weight >= 0.5F) wetted[column] = 1;
+      if (weight >= 0.5F && is_water(r)) under_water[column] = 1;
       if (!is_sediment(r) || level < 0 || level >= levels) continue;
       weight *= up != 0 ? share[Dim - 1] : 1 - share[Dim - 1];
       atomic_add_to(deposited + static_cast<std::int64_t>(column) * levels + level,

@@ -27,6 +27,7 @@ struct EffectivePressurePass {
   const float* height_above;
   const float* slope;
   const std::uint8_t* wetted;
+  const std::uint8_t* under_water;
   SedimentScene law;
   float reach;     // of the average, in spacings
   bool by_column;  // the effective pressure is the columns'
@@ -37,7 +38,9 @@ struct EffectivePressurePass {
     s.bed_slope = slope_at(i);
     const float t = s.bed_slope < law.friction_tangent ? s.bed_slope : law.friction_tangent;
     if (by_column) {
-      s.effective_pressure = effective_pressure_of_column(law.submerged_weight, mean_height_above(i), 1 / (1 + t * t));
+      const Above above = mean_above(i);
+      s.effective_pressure = effective_pressure_of_column(law.submerged_weight, above.height, 1 / (1 + t * t)) +
+                             above.emerged * law.suction;
     }
   }
 
@@ -46,14 +49,20 @@ struct EffectivePressurePass {
     return column < 0 ? 0 : slope[column];
   }
 
-  HOST_DEVICE float mean_height_above(Index i) const {
+  /// Means over the columns around.
+  struct Above {
+    float height = 0;   // of the bed [m]
+    float emerged = 0;  // share of the columns without water [-]
+  };
+
+  [[nodiscard]] HOST_DEVICE Above mean_above(Index i) const {
     float share[Dim];
     int node[Dim];
     for (int k = 0; k < Dim; ++k) node[k] = columns.below(k, positions[i].x[axis<Dim>(k)], share[k]);
     const int level = node[Dim - 1];
-    if (level < 0 || level + 1 >= columns.levels()) return 0;
+    if (level < 0 || level + 1 >= columns.levels()) return {};
     const int around = static_cast<int>(reach);
-    float sum = 0;
+    Above sum;
     float weights = 0;
     const int rows = Dim == 3 ? around : 0;
     for (int dy = -rows; dy <= rows + (Dim == 3 ? 1 : 0); ++dy) {
@@ -67,11 +76,13 @@ struct EffectivePressurePass {
         }
         if (column < 0 || wetted[column] == 0) continue;
         const float* above = height_above + static_cast<std::int64_t>(column) * columns.levels() + level;
-        sum += weight * ((1 - share[Dim - 1]) * above[0] + share[Dim - 1] * above[1]);
+        sum.height += weight * ((1 - share[Dim - 1]) * above[0] + share[Dim - 1] * above[1]);
+        sum.emerged += under_water[column] == 0 ? weight : 0;
         weights += weight;
       }
     }
-    return weights > 0 ? sum / weights : 0;
+    if (!(weights > 0)) return {};
+    return {sum.height / weights, sum.emerged / weights};
   }
 
  private:
@@ -92,16 +103,19 @@ void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, C
   weight.surface.resize(static_cast<std::size_t>(columns.columns()));
   weight.slope.resize(static_cast<std::size_t>(columns.columns()));
   weight.wetted.resize(static_cast<std::size_t>(columns.columns()));
+  weight.under_water.resize(static_cast<std::size_t>(columns.columns()));
   weight.content.resize(nodes);
   weight.covered.resize(static_cast<std::size_t>(columns.columns()));
   std::int64_t* deposited = weight.deposited.data();
   std::uint8_t* wetted = weight.wetted.data();
+  std::uint8_t* under_water = weight.under_water.data();
   std::uint8_t* content = weight.content.data();
   std::uint8_t* covered = weight.covered.data();
   float* surface = weight.surface.data();
   const int levels = columns.levels();
   on.for_each(static_cast<Index>(columns.columns()), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index column) {
                 wetted[column] = 0;
+                under_water[column] = 0;
                 for (int level = 0; level < levels; ++level) {
                   deposited[static_cast<std::int64_t>(column) * levels + level] = 0;
                   content[static_cast<std::int64_t>(column) * levels + level] = column_node::empty;
@@ -109,8 +123,8 @@ void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, C
               }));
   const auto add = [] HOST_DEVICE(std::int64_t * to, std::int64_t amount) { Device::atomic_add(to, amount); };
   const Position* positions = p.position.data();
-  on.for_each(p.fluid_count,
-              DepositPass<Dim, decltype(add)>{p.record.data(), positions, columns, deposited, wetted, content, add});
+  on.for_each(p.fluid_count, DepositPass<Dim, decltype(add)>{p.record.data(), positions, columns, deposited, wetted,
+                                                             under_water, content, add});
   const MarkWallsPass<Dim> mark_walls{positions, columns, content};
   const Record* records = p.record.data();
   on.for_each(p.count, declare<Reads<field::matter, field::position>, Writes<>>([=] HOST_DEVICE(Index i) {
@@ -132,7 +146,7 @@ void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, C
                          (closure == EffectivePressure::laplace && largest_effective_pressure(on, p) == 0);
   on.for_each(p.fluid_count,
               EffectivePressurePass<Dim>{records, positions, p.sediment.data(), columns, weight.height_above.data(),
-                                         weight.slope.data(), wetted, scene.sediment, reach, by_column});
+                                         weight.slope.data(), wetted, under_water, scene.sediment, reach, by_column});
 }
 
 /// Particle pass over the bed: effective pressure as a share of the equation of state's.
@@ -150,7 +164,8 @@ void share_pressure_of_state(Device& on, Particles<Device>& p, const Scene<Dim>&
               }));
 }
 
-/// Particle pass over the bed: all of the pressure, as the paper prints it.
+/// Particle pass over the bed: all of a particle's pressure. That of a mixture's grains is theirs alone; that of a bed of
+/// one fluid holds the water's, as the paper prints it.
 template <class Device>
 void take_pressure_of_state(Device& on, Particles<Device>& p) {
   const Record* records = p.record.data();
@@ -174,6 +189,7 @@ int solve_effective_pressure(Device& on, Particles<Device>& p, const Scene<Dim>&
       share_pressure_of_state(on, p, scene);
       break;
     case EffectivePressure::total:
+    case EffectivePressure::grains:
       take_pressure_of_state(on, p);
       break;
   }

@@ -33,6 +33,7 @@ void BedModel::make(const SceneSource& from, Scene<Dim>& scene) {
   law.effective_pressure = of.model.effective_pressure;
   const double gravity = -of.domain.gravity.z();
   law.submerged_weight = static_cast<float>(submerged_weight(s.bed_density(), s.pore_density, gravity));
+  law.suction = static_cast<float>(s.suction);
   law.pore_stiffness = static_cast<float>(tait_stiffness(s.pore_density, from.sound_speed));
   const double submerged_density = s.bed_density() - s.pore_density;
   law.laplace_tolerance = static_cast<float>(1e-4 * submerged_density * from.sound_speed * from.sound_speed / 100);

@@ -2,6 +2,7 @@
 
 #include "case/models/three_state.hpp"
 #include "physics/sediment/surface_fill.hpp"
+#include "physics/transport/critical_shields.hpp"
 #include "physics/transport/lift_settling.hpp"
 #include "solver/models/all.hpp"
 #include "solver/models/make.hpp"
@@ -29,10 +30,10 @@ void StatesModel::make(const SceneSource& from, Scene<Dim>& scene) {
   law.roughness = static_cast<float>(s.roughness > 0 ? s.roughness : s.grain_diameter);
   law.grain_density = static_cast<float>(s.grain_density);
   law.grain_weight = static_cast<float>(grain_weight_stress(s.grain_density, rho, g, s.grain_diameter));
-  law.cohesion = static_cast<float>(s.cohesion);
+  law.cohesion = s.critical_stress > 0 ? 0 : static_cast<float>(s.cohesion);
   law.gravity = static_cast<float>(g);
   for (int k = 0; k < Dim; ++k) law.down[k] = static_cast<float>(of.domain.gravity[axis<Dim>(k)] / g);
-  law.critical_shields = static_cast<float>(s.critical_shields);
+  law.critical_shields = static_cast<float>(critical_shields_of(s, rho, g));
   law.lift_ratio = static_cast<float>(s.lift_ratio);
   law.dimensionless_diameter = static_cast<float>(d_star);
   law.settling_velocity = static_cast<float>(settling_velocity(d_star, s.grain_diameter, viscosity / rho));
