@@ -4,6 +4,7 @@
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
 #include "foam_reference/library/dictionary_words.hpp"
+#include "physics/transport/critical_shields.hpp"
 
 namespace thalweg::foam {
 

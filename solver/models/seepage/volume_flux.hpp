@@ -49,6 +49,8 @@ struct VolumeFluxSweep {
 
 /// Pair sweep: the continuity sweep within each set, of water for the volume flux in place of its velocity:
 ///   water   d' = -(1 + d)/n div q        grains   d' = -(1 + d) div v, compression of the packing
+/// The packing has no density diffusion. Its correction for gravity supposes the grains' whole weight in their pressure,
+/// and would make them creep with 1 mm/s where seepage carries most of it; drag and friction damp them anyway.
 template <int Dim>
 struct MixtureContinuitySweep {
   using neighbours = Neighbours<field::place, field::matter, field::volume_flux>;
@@ -63,7 +65,7 @@ struct MixtureContinuitySweep {
 
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
-    sum.diffusion += pair_diffusion(a, b, g, b.volume * g.F, same_phase(a, b), own.continuity.scene);
+    sum.diffusion += pair_diffusion(a, b, g, b.volume * g.F, is_water(a) & is_water(b), own.continuity.scene);
     const Vec<Dim, L> flux = b.work - a.work;
     const L weight = mixture::volume_seen(a, b) * g.F;
     sum.own += -weight * dot(flux, g.r);

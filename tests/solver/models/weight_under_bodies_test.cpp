@@ -125,6 +125,30 @@ TYPED_TEST(WeightUnderBodies, ALidOverTheWholeBedIsNoLoad) {
   EXPECT_GT(check_depths(seen, 0.1, spacing, [](const Vec3&) { return true; }), 100);
 }
 
+TYPED_TEST(WeightUnderBodies, SuctionPressesGrainsTogetherWhereNoWaterStandsOverThem) {
+  // A bank 0.16 m high beside water 0.12 m deep over a bed of 0.06 m.
+  constexpr float suction = 400;
+  const double spacing = 0.005;
+  Scene<2> scene = scene_of_bed<2>(spacing);
+  scene.sediment.suction = suction;
+  const auto type = [](const Vec3& x) {
+    return x.z() < (x.x() < 0.1 ? 0.16 : 0.06) ? ParticleType::sediment : ParticleType::water;
+  };
+  const auto air = [](const Vec3& x) { return x.z() > (x.x() < 0.1 ? 0.16 : 0.12); };
+  const auto seen = weighed<TypeParam>(scene, type, air);
+  int bank = 0;
+  for (Index i = 0; i < seen.fluid_count; ++i) {
+    const double* x = seen.position[i].x;
+    if (!is_sediment(seen.record[i]) || seen.record[i].volume == 0 || x[0] > 0.07) continue;
+    EXPECT_NEAR(seen.sediment[i].effective_pressure, gamma_of_bed * (0.16 - x[2]) + suction,
+                gamma_of_bed * 0.5 * spacing)
+        << x[0] << " " << x[2];
+    ++bank;
+  }
+  EXPECT_GT(bank, 300);
+  EXPECT_GT(check_depths(seen, 0.06, spacing, [](const Vec3& x) { return x.x() > 0.13; }), 100);
+}
+
 TYPED_TEST(WeightUnderBodies, InSpaceToo) {
   // A ball in the bed and a pile that ends in it.
   const double spacing = 0.01;
