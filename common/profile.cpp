@@ -7,6 +7,7 @@
 
 #include "common/csv.hpp"
 #include "common/error.hpp"
+#include "common/shown.hpp"
 
 namespace thalweg {
 namespace {
@@ -62,7 +63,7 @@ Profile read_profile(const std::filesystem::path& file) {
     }
     if (!known) {
       throw InputError(
-          fmt::format("{}: unknown column \"{}\"; a profile has {}", table.where(), column.heading(), known_columns));
+          fmt::format("{}: unknown column \"{}\"; a profile has {}", table.where(), shown(column.heading()), known_columns));
     }
   }
   for (std::size_t row = 0; row < profile.x.size(); ++row) {
