@@ -11,6 +11,10 @@
 namespace thalweg {
 
 void Model::set_defaults(const GivenWords& given) {
+  if (given.text("flow.drive", "off") != "off") {
+    turbulence = Turbulence::mixing_length;
+    wall_friction = WallFriction::smooth;
+  }
   switch (given.choice<Implementation>("model.implementation").value_or(Implementation::law)) {
     case Implementation::law:
     case Implementation::consistent:
