@@ -6,13 +6,13 @@
 #include "solver/passes/velocity_gradient.hpp"
 #include "solver/state/step_state.hpp"
 
-// Eddy viscosity of the water (physics/water/mixing_length.hpp), and the forces it makes. It is found every few steps: a step lets
-// water move by a twentieth of its neighbours' distance. Between, it lies in the records' viscosity, times the density.
+// Eddy viscosity of the water (physics/water/mixing_length.hpp), and the forces it makes. It is found every few steps, and lies
+// in the records' viscosity, times the density.
 namespace thalweg {
 
-/// Steps from one eddy viscosity to the next. In four steps water at a fifth of the sound speed goes less than half a
-/// smoothing length.
-inline constexpr int eddy_interval = 4;
+/// Steps from one eddy viscosity to the next. In eight steps water at a twentieth of the sound speed goes a fifth of a smoothing
+/// length.
+inline constexpr int eddy_interval = 8;
 
 /// Pair sweep: eddy viscosity of the water, from its velocity gradient over water neighbours alone. Walls and sediment do
 /// not enter: with their velocity in the gradient a current is 3 % too slow.

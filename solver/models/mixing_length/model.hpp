@@ -48,7 +48,9 @@ struct MixingLengthModel {
   }
   template <class C>
   static void at_strength(C& step) {
-    find_eddy_viscosity(step.on, step.p, step.scene, step.state, step.work.new_lists);
+    // With the lists bed may have become water (models/suspended_load).
+    const bool due = step.work.new_lists && step.scene.water_has_grains;
+    find_eddy_viscosity(step.on, step.p, step.scene, step.state, due);
   }
   template <class C>
   static void at_forces(C& step) {

@@ -2,212 +2,141 @@
 
 #include <cmath>
 
-#include "solver/backend/device.hpp"
 #include "solver/models/mixing_length/arrays.hpp"
-#include "solver/models/wall_stress/arrays.hpp"
-#include "solver/passes/integrate.hpp"
-#include "solver/state/scene.hpp"
+#include "solver/models/mixing_length/surface_lattice.hpp"
 
 // Distance of each water particle to the nearest wall or bed, in any direction, found where the neighbour lists are made.
-// The surface is made of discs: one for each wall element (models/wall_stress) and one for each sediment particle with
-// water next to it. Water that has discs in reach takes the nearest. Then each water particle asks its neighbours for
-// theirs, until none finds a nearer one: a few rounds for each reach of depth. So distances go through the water: the floor of
-// a channel means nothing behind a wall, and nothing is searched beyond the neighbour lists.
+// Each node of a lattice one spacing wide is told the nearest surface by the node before it, along all lines of the
+// lattice, forth and back, direction after direction, twice (after Danielsson 1980, Comput. Graph. Image Process. 14,
+// 227-248). A particle takes the nearest of those of the nodes around it. Where nothing moves but water the lattice is
+// made once.
 namespace thalweg {
 
-/// The nearest surface: a disc of the radius 0.5 dp (0.71 dp in space, so that discs one spacing apart leave no gap).
-struct SurfaceDisc {
-  float normal[3];  // unit vector into the water
-  float depth;      // of the particle below the surface [m]; negative: the particle is no surface
-};
-
-/// No disc has been found.
-inline constexpr Index no_disc = ~Index{0};
-
-/// Distance [m] from a place to a disc; r [m] leads there from the disc's particle. Infinite for a place that lies more
-/// than two radii behind the disc: what is there belongs to another side of the wall.
+/// Pass over the lines of the lattice along direction k.
 template <int Dim>
-HOST_DEVICE inline float distance_to_disc(const Vec<Dim, float>& r, const SurfaceDisc& disc, float radius) {
-  float along = 0;
-  for (int k = 0; k < Dim; ++k) along += r[k] * disc.normal[axis<Dim>(k)];
-  const float above = along - disc.depth;
-  if (above < -2 * radius) return INFINITY;
-  const float across2 = dot(r, r) - along * along;
-  const float across = sqrtf(across2 > 0 ? across2 : 0) - radius;
-  if (!(across > 0)) return above > 0 ? above : 0;
-  return sqrtf((above > 0 ? above * above : 0) + across * across);
-}
-
-/// Calls visit(j, r) for every neighbour j of particle i with volume, r = x_i - x_j [m].
-template <int Dim, class Visit>
-HOST_DEVICE inline void each_neighbour(const Record* records, const ClusterList& list, const Scene<Dim>& scene, Index i,
-                                       const Visit& visit) {
-  const Index cluster = i / cluster_size;
-  for (Index entry = list.begin[cluster]; entry < list.begin[cluster + 1]; ++entry) {
-    const Index j = list.entries[entry];
-    if (j == list.count || j == i || records[j].volume == 0) continue;
-    Vec<Dim, float> r{};
-    for (int k = 0; k < Dim; ++k)
-      r[k] = scene.distance(k, records[i].place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
-    visit(j, r);
-  }
-}
-
-/// Particle pass: the discs. Those of sediment lie half a spacing towards the water, along the gradient of what is not
-/// solid, where water is nearer than 1.6 spacings.
-template <int Dim>
-struct SurfaceDiscPass {
-  using neighbours = Neighbours<field::place, field::matter>;
-  using reads = Reads<field::place, field::matter, field::wall_element, field::wall_normal>;
+struct SpreadAlongPass {
+  using reads = Reads<>;
   using writes = Writes<>;
 
-  const Record* records;
-  const WallElement* elements;
-  const WallNormal* turned;  // nullptr: no wall moves
-  SurfaceDisc* discs;
-  ClusterList list;
-  Scene<Dim> scene;
+  SurfaceLattice<Dim> surfaces;
+  Index* nearest;
+  int k;
 
-  HOST_DEVICE void operator()(Index i) const {
-    SurfaceDisc& disc = discs[i];
-    disc = {{0, 0, 0}, -1};
-    const Record& own = records[i];
-    if (own.volume == 0 || is_water(own)) return;
-    if (is_sediment(own)) return take_bed(i, disc);
-    if (!(elements[i].area > 0)) return;
-    const float* normal = turned == nullptr ? elements[i].normal : turned[i].of;
-    for (int c = 0; c < 3; ++c) disc.normal[c] = normal[c];
-    disc.depth = elements[i].depth;
-  }
-
- private:
-  HOST_DEVICE void take_bed(Index i, SurfaceDisc& disc) const {
-    const float next = 1.6F * static_cast<float>(scene.spacing);
-    const float support = scene.support();
-    bool wet = false;
-    Vec<Dim, float> outward{};
-    each_neighbour(records, list, scene, i, [&](Index j, const Vec<Dim, float>& r) {
-      const float r2 = dot(r, r);
-      if (!(r2 < support * support)) return;
-      if (is_water(records[j])) {
-        wet = wet || r2 < next * next;
-        return;
+  HOST_DEVICE void operator()(Index line) const {
+    int at[Dim];
+    for (int l = 0; l < Dim; ++l) {
+      if (l == k) continue;
+      at[l] = static_cast<int>(line % static_cast<Index>(surfaces.columns.nodes[l]));
+      line /= static_cast<Index>(surfaces.columns.nodes[l]);
+    }
+    const int n = surfaces.columns.nodes[k];
+    const int steps = surfaces.columns.periodic[k] ? 2 * n : n;
+    for (const bool forth : {true, false}) {
+      Index carried = no_surface_node;
+      for (int step = 0; step < steps; ++step) {
+        at[k] = forth ? step % n : n - 1 - step % n;
+        const Index node = surfaces.node(at);
+        const Index own = nearest[node];
+        if (carried != own && carried != no_surface_node) {
+          const Vec<Dim, double> here = surfaces.place(node);
+          if (surfaces.distance(here, carried) < surfaces.distance(here, own)) nearest[node] = carried;
+        }
+        carried = nearest[node];
       }
-      const float slope = records[j].volume * scene.kernel.gradient(scene.kernel.closeness(sqrtf(r2)));
-      for (int k = 0; k < Dim; ++k) outward[k] -= slope * r[k];
-    });
-    const float length = sqrtf(dot(outward, outward));
-    if (!wet || !(length > 0)) return;
-    for (int k = 0; k < Dim; ++k) disc.normal[axis<Dim>(k)] = outward[k] / length;
-    disc.depth = 0.5F * static_cast<float>(scene.spacing);
+    }
   }
 };
 
-/// What the search for the nearest discs works on.
+/// Particle pass over the fluid: the distance to the nearest of the surfaces that the nodes around a particle know.
 template <int Dim>
-struct DiscSearch {
-  const Record* records;
-  const SurfaceDisc* discs;
-  ClusterList list;
-  Scene<Dim> scene;
-  float radius;  // of the discs [m]
+struct WallDistancePass {
+  using reads = Reads<field::position>;
+  using writes = Writes<field::eddies>;
 
-  [[nodiscard]] HOST_DEVICE float distance(Index i, Index j) const {
-    Vec<Dim, float> r{};
-    for (int k = 0; k < Dim; ++k)
-      r[k] = scene.distance(k, records[i].place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
-    return distance_to_disc<Dim>(r, discs[j], radius);
-  }
-};
-
-/// Particle pass over the fluid: the nearest disc in reach, or none.
-template <int Dim>
-struct NearestDiscPass {
-  using neighbours = Neighbours<field::place, field::matter>;
-  using reads = Reads<field::place, field::matter>;
-  using writes = Writes<>;
-
-  DiscSearch<Dim> search;
-  Index* nearest;
+  SurfaceLattice<Dim> surfaces;
+  const Position* positions;
+  const Index* nearest;
+  Eddies* eddies;
 
   HOST_DEVICE void operator()(Index i) const {
-    nearest[i] = no_disc;
-    if (!is_water(search.records[i])) return;
+    const ColumnLattice<Dim>& columns = surfaces.columns;
+    Vec<Dim, double> x{};
+    int below[Dim];
+    for (int k = 0; k < Dim; ++k) {
+      x[k] = positions[i].x[axis<Dim>(k)];
+      float share;
+      below[k] = columns.below(k, x[k], share);
+    }
     float least = INFINITY;
-    each_neighbour(search.records, search.list, search.scene, i, [&](Index j, const Vec<Dim, float>& r) {
-      if (!(search.discs[j].depth >= 0)) return;
-      const float distance = distance_to_disc<Dim>(r, search.discs[j], search.radius);
-      if (!(distance < least)) return;
-      least = distance;
-      nearest[i] = j;
-    });
+    Index last = no_surface_node;
+    for (int corner = 0; corner < (1 << Dim); ++corner) {
+      int at[Dim];
+      bool in = true;
+      for (int k = 0; k < Dim; ++k) {
+        at[k] = columns.inside(k, below[k] + ((corner >> k) & 1));
+        in = in && at[k] >= 0;
+      }
+      if (!in) continue;
+      const Index surface = nearest[surfaces.node(at)];
+      if (surface == last) continue;
+      last = surface;
+      const float distance = surfaces.distance(x, surface);
+      least = distance < least ? distance : least;
+    }
+    eddies[i].wall_distance = least < INFINITY ? least : 0;
   }
 };
 
-/// Particle pass over the fluid: the nearest of the discs that the water in reach knows. 1 if it is a new one.
-template <int Dim>
-struct SpreadDiscsPass {
-  using neighbours = Neighbours<field::place, field::matter>;
-  using reads = Reads<field::place, field::matter>;
-  using writes = Writes<>;
-
-  DiscSearch<Dim> search;
-  const Index* known;
-  Index* nearest;
-
-  HOST_DEVICE Index operator()(Index i) const {
-    const Index before = known[i];
-    nearest[i] = before;
-    if (!is_water(search.records[i])) return 0;
-    // What is nearer by less than this is not worth another round.
-    const float worth = 1e-3F * static_cast<float>(search.scene.spacing);
-    float least = before == no_disc ? INFINITY : search.distance(i, before);
-    Index last = before;
-    each_neighbour(search.records, search.list, search.scene, i, [&](Index j, const Vec<Dim, float>&) {
-      if (!is_water(search.records[j]) || known[j] == no_disc || known[j] == last) return;
-      last = known[j];
-      const float distance = search.distance(i, last);
-      if (!(distance < least - worth)) return;
-      least = distance;
-      nearest[i] = last;
-    });
-    return nearest[i] == before ? 0 : 1;
-  }
+/// The lattice, between steps.
+template <class Device, int Dim>
+struct SurfaceNodes {
+  typename Device::template Buffer<SurfaceNode<Dim>> nodes;
 };
-
-/// What the search keeps between rounds.
 template <class Device>
-struct WallDistanceWork {
-  typename Device::template Buffer<SurfaceDisc> discs;
-  typename Device::template Buffer<Index> nearest;
-  typename Device::template Buffer<Index> nearest_before;
+struct WallDistanceWork : SurfaceNodes<Device, 2>, SurfaceNodes<Device, 3> {
+  typename Device::template Buffer<Index> nearest;  // per node: the node next to which the nearest surface lies
 };
+
+/// Tells every node its nearest surface.
+template <int Dim, class Device>
+void find_surfaces(Device& on, Particles<Device>& p, const Scene<Dim>& scene, WallDistanceWork<Device>& work) {
+  auto& nodes = static_cast<SurfaceNodes<Device, Dim>&>(work).nodes;
+  const auto all = static_cast<std::size_t>(SurfaceLattice<Dim>(scene, nullptr).size());
+  nodes.resize(all);
+  work.nearest.resize(all);
+  on.fill(nodes, all, SurfaceNode<Dim>{});
+  const SurfaceLattice<Dim> surfaces(scene, nodes.data());
+  const auto add = [] HOST_DEVICE(std::int64_t * to, std::int64_t amount) { Device::atomic_add(to, amount); };
+  const WallNormal* turned = p.wall_normal.size() == 0 ? nullptr : p.wall_normal.data();
+  const Record* records = p.record.data();
+  const Position* positions = p.position.data();
+  on.for_each(p.count - p.fluid_count,
+              AddWallsPass<Dim, decltype(add)>{records, positions, p.wall_element.data(), turned, surfaces.columns,
+                                               nodes.data(), add, p.fluid_count});
+  if (scene.has_sediment) {
+    for_each_member(
+        on, p.list(), p.at_bed_surface(),
+        AddBedPass<Dim, decltype(add)>{records, positions, p.list(), scene, surfaces.columns, nodes.data(), add});
+  }
+  const SurfaceNode<Dim>* made = nodes.data();
+  Index* nearest = work.nearest.data();
+  on.for_each(static_cast<Index>(all), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index n) {
+                nearest[n] = made[n].number > 0 ? n : no_surface_node;
+              }));
+  for (int round = 0; round < 2; ++round) {
+    for (int k = Dim - 1; k >= 0; --k) {
+      const auto lines = static_cast<Index>(all / static_cast<std::size_t>(surfaces.columns.nodes[k]));
+      on.for_each(lines, SpreadAlongPass<Dim>{surfaces, nearest, k});
+    }
+  }
+}
 
 /// Finds the distances of all water particles.
 template <int Dim, class Device>
 void find_wall_distances(Device& on, Particles<Device>& p, const Scene<Dim>& scene, WallDistanceWork<Device>& work) {
-  work.discs.resize(p.count);
-  work.nearest.resize(p.fluid_count);
-  work.nearest_before.resize(p.fluid_count);
-  const Record* records = p.record.data();
-  const WallNormal* turned = p.wall_normal.size() == 0 ? nullptr : p.wall_normal.data();
-  on.for_each(p.count,
-              SurfaceDiscPass<Dim>{records, p.wall_element.data(), turned, work.discs.data(), p.list(), scene});
-  const float radius = static_cast<float>(0.5 * scene.spacing * std::sqrt(Dim - 1.0));
-  const DiscSearch<Dim> search{records, work.discs.data(), p.list(), scene, radius};
-  on.for_each(p.fluid_count, NearestDiscPass<Dim>{search, work.nearest.data()});
-  Index found = 1;
-  while (found > 0) {
-    std::swap(work.nearest, work.nearest_before);
-    found = on.reduce(p.fluid_count, Index{0},
-                      SpreadDiscsPass<Dim>{search, work.nearest_before.data(), work.nearest.data()},
-                      [] HOST_DEVICE(Index a, Index b) { return a + b; });
-  }
-  const Index* nearest = work.nearest.data();
-  Eddies* eddies = p.eddies.data();
-  on.for_each(p.fluid_count, declare<Reads<field::place>, Writes<field::eddies>>([=] HOST_DEVICE(Index i) {
-                eddies[i].wall_distance = nearest[i] == no_disc ? 0 : search.distance(i, nearest[i]);
-              }));
+  if (work.nearest.empty() || scene.has_sediment || scene.has_moving_walls) find_surfaces(on, p, scene, work);
+  const SurfaceLattice<Dim> surfaces(scene, static_cast<SurfaceNodes<Device, Dim>&>(work).nodes.data());
+  on.for_each(p.fluid_count, WallDistancePass<Dim>{surfaces, p.position.data(), work.nearest.data(), p.eddies.data()});
 }
 
 }  // namespace thalweg
