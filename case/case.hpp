@@ -9,6 +9,7 @@
 #include "case/tables/case_info.hpp"
 #include "case/tables/compare.hpp"
 #include "case/tables/domain.hpp"
+#include "case/tables/flow.hpp"
 #include "case/tables/foam.hpp"
 #include "case/tables/gauge.hpp"
 #include "case/tables/gencase.hpp"
@@ -41,6 +42,7 @@ struct Case {
   std::map<std::string, SedimentTable> sediments;  // by their names
   Model model;
   SuspendedLoad suspended_load;
+  Flow flow;
   Numerics numerics;
   Output output;
   std::vector<Gauge> gauges;
@@ -50,9 +52,10 @@ struct Case {
 
   /// The one list of tables, in the order in which they are read, written and described.
   static constexpr auto tables() {
-    return std::tuple{&Case::info,   &Case::domain,    &Case::shapes, &Case::motions,        &Case::gencase,
-                      &Case::water,  &Case::sediments, &Case::model,  &Case::suspended_load, &Case::numerics,
-                      &Case::output, &Case::gauges,    &Case::lines,  &Case::compare,        &Case::foam};
+    return std::tuple{&Case::info,           &Case::domain, &Case::shapes,    &Case::motions,
+                      &Case::gencase,        &Case::water,  &Case::sediments, &Case::model,
+                      &Case::suspended_load, &Case::flow,   &Case::numerics,  &Case::output,
+                      &Case::gauges,         &Case::lines,  &Case::compare,   &Case::foam};
   }
 
   [[nodiscard]] int dimension() const { return info.dimension; }

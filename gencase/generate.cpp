@@ -19,6 +19,7 @@
 #include "gencase/places.hpp"
 #include "gencase/pore_water.hpp"
 #include "gencase/relaxation.hpp"
+#include "gencase/start_flow.hpp"
 
 namespace thalweg::gencase {
 namespace {
@@ -271,6 +272,7 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   resolve_speeds(result, notes);
   result.particles = make_particles(result.resolved, shapes, filling, start, summary);
   result.particles.info.lattice_node = named_node(result.particles, lattice);
+  start_flow(result.resolved, shapes, filling, result.particles);
   if (scene.gencase.relaxation > 0) {
     const auto skin = make_flow_skin(room, around(scene, lattice), scene.numerics.spacing, scene.info.dimension, notes);
     const Relaxation relaxed =

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "case/models/driven_flow.hpp"
 #include "case/models/mixture.hpp"
 #include "case/models/moving_walls.hpp"
 #include "case/models/pore_pressure.hpp"
@@ -16,8 +17,8 @@
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, WallStress,
-                       SubParticleStress, ParticleShifting, SuspendedLoadOfWater>;
+using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, WallStress,
+                       MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -11,11 +11,13 @@ namespace thalweg {
 enum class Shifting { automatic, off, on };
 
 inline constexpr std::array<Choice<Shifting>, 3> choices(Shifting) {
-  return {{{Shifting::automatic, "auto",
-            "on for water alone without gravity and walls, which nothing keeps in order; else off"},
-           {Shifting::off, "off", "particles move with the fluid alone"},
-           {Shifting::on, "on",
-            "sheared water is kept in order: for vortices and currents, with smoothing_ratio = 2 in the plane"}}};
+  return {
+      {{Shifting::automatic, "auto",
+        "on for driven flows ([flow]), and for water alone without gravity and walls, which nothing keeps in order; "
+        "else off"},
+       {Shifting::off, "off", "particles move with the fluid alone"},
+       {Shifting::on, "on",
+        "sheared water is kept in order: for vortices and currents, with smoothing_ratio = 2 in the plane"}}};
 }
 
 namespace models {

@@ -14,6 +14,10 @@ void Model::set_defaults(const GivenWords& given) {
   if (given.choice<SeepageModel>("model.seepage") == SeepageModel::mixture) {
     effective_pressure = EffectivePressure::grains;
   }
+  if (given.text("flow.drive", "off") != "off") {
+    turbulence = Turbulence::mixing_length;
+    wall_friction = WallFriction::smooth;
+  }
   switch (given.choice<Implementation>("model.implementation").value_or(Implementation::law)) {
     case Implementation::law:
     case Implementation::consistent:

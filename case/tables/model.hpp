@@ -41,11 +41,13 @@ struct Model {
         "implementation", implementation,
         "How three-state sediment moves: by laws that were measured, or by one of two readings of the source paper. "
         "Sets the defaults of yield_fit, bed_shear, consistency and flow_index, and how states change.");
-    v.choice("wall_friction", wall_friction,
-             "What water feels of the walls it runs along; sediment always sticks to walls.");
+    v.choice(
+        "wall_friction", wall_friction,
+        "What water feels of the walls it runs along; sediment always sticks to walls. Where it is not given it is "
+        "\"smooth\" in driven flows ([flow]).");
     v.choice("turbulence", turbulence,
              "Eddies of the water that the particles are too coarse for. Walls and sediment take no part "
-             "(docs/theory.md).");
+             "(docs/theory.md). Where it is not given it is \"mixing-length\" in driven flows ([flow]).");
     v.choice("effective_pressure", effective_pressure, "What presses the sediment's grains together.");
     v.choice("yield", yield, "When the sediment yields.");
     v.choice("yield_fit", yield_fit,
@@ -60,7 +62,7 @@ struct Model {
     v.choice("pore_pressure", pore_pressure, "Excess pore pressure in a bed of one fluid (docs/theory.md).");
   }
 
-  /// implementation = "paper" sets the defaults of other keys.
+  /// implementation = "paper" and a driven flow set the defaults of other keys.
   void set_defaults(const GivenWords& given);
   void check(const Case& whole, const CheckContext& at) const;
   static void explain_further(std::ostream& to, std::string_view key);

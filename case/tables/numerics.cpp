@@ -4,6 +4,7 @@
 
 #include "case/case.hpp"
 #include "case/check_context.hpp"
+#include "case/models/driven_flow.hpp"
 #include "case/tables/given_words.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
@@ -11,7 +12,7 @@
 
 namespace thalweg {
 
-/// smoothing_ratio in plane scenes of water alone: twice the neighbours and three quarters of the steps, some 1.15 times
+/// smoothing_ratio in driven scenes, whose lattice would carry shear with less, and in plane scenes of water alone: twice the neighbours and three quarters of the steps, some 1.15 times
 /// the seconds. A standing wave loses half as much, and an impact rings half as loud (docs/speed-against-error.md).
 constexpr double smoothing_ratio_of_plane_water = 2;
 /// artificial_viscosity there. With such a kernel it is switched (physics/water/viscosity_switch.hpp).
@@ -45,7 +46,8 @@ void Numerics::set_defaults(const GivenWords& given) {
   if (const auto level = given.choice<Accuracy>("numerics.accuracy")) *this = numerics_at(*level);
   const bool has_sediment = given.text("model.sediment", "off") != "off";
   const bool in_space = given.text("case.dimension", "2") != "2";
-  if (!has_sediment && !in_space) {
+  const bool is_driven = given.text("flow.drive", "off") != "off";
+  if ((!has_sediment && !in_space) || is_driven) {
     smoothing_ratio = smoothing_ratio_of_plane_water;
     // A narrower kernel that the case asks for has no switch, and all of the viscosity would act.
     const double ratio = given.number("numerics.smoothing_ratio").value_or(smoothing_ratio);
@@ -55,6 +57,10 @@ void Numerics::set_defaults(const GivenWords& given) {
 
 void Numerics::complete(const Case& whole) {
   if (shifting != Shifting::automatic) return;
+  if (models::DrivenFlow::is_on(whole)) {
+    shifting = Shifting::on;
+    return;
+  }
   bool apt = whole.domain.gravity.isZero(0) && whole.model.sediment == SedimentModel::off;
   for (const Shape& shape : whole.shapes) {
     if (shape.role == ShapeRole::wall || shape.role == ShapeRole::moving_wall) apt = false;

@@ -63,7 +63,7 @@ struct Numerics {
     v.number(
         "smoothing_ratio", smoothing_ratio, 1.1, 3,
         "Smoothing length over spacing. Where it is not given it is 1.5, and 2 in plane scenes of water alone, which "
-        "are more exact with it at 1.15 times the cost (docs/speed-against-error.md).");
+        "are more exact with it at 1.15 times the cost (docs/speed-against-error.md), and in driven flows ([flow]).");
     v.number("sound_speed_factor", sound_speed_factor, 5, 100,
              "Sound speed over maximum_speed; 10 keeps density within 1 %.");
     v.quantity("maximum_speed", maximum_speed, "m/s", 0, 1000,
@@ -78,7 +78,8 @@ struct Numerics {
     v.number(
         "artificial_viscosity", artificial_viscosity, 0, 1,
         "Alpha of the artificial viscosity between approaching particles of one phase. Where it is not given it is "
-        "0.02, and 0.1 in plane scenes of water alone. From smoothing_ratio 1.9 on it acts only where the flow is "
+        "0.02, and 0.1 in plane scenes of water alone and in driven flows. From smoothing_ratio 1.9 on it acts only "
+        "where the flow is "
         "compressed or disordered, not in shear, vortices and waves (docs/theory.md).");
     v.number("acoustic_damper", acoustic_damper, 0, 1,
              "Factor of the acoustic damper, a bulk viscosity of c h that quiets sound and leaves flow alone. With 0.5 "

@@ -2,7 +2,9 @@
 
 #include "solver/models/bed/model.hpp"
 #include "solver/models/bed_load/model.hpp"
+#include "solver/models/current/model.hpp"
 #include "solver/models/implicit/model.hpp"
+#include "solver/models/mixing_length/model.hpp"
 #include "solver/models/moving_walls/model.hpp"
 #include "solver/models/no_slip/model.hpp"
 #include "solver/models/pore_pressure/model.hpp"
@@ -30,8 +32,8 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels =
-    ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, SubParticleModel,
-              StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel, ShiftingModel>;
+using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
+                            SubParticleModel, StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel,
+                            ShiftingModel, MixingLengthModel, CurrentModel>;
 
 }  // namespace thalweg

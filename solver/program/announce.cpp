@@ -49,6 +49,14 @@ void announce_sediment(const Case& c) {
   announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
 }
 
+/// Tells what drives the water, and with which numerics.
+void announce_flow(const Case& c) {
+  if (c.flow.drive == Drive::off) return;
+  announce("flow.drive", c.flow.drive);
+  spdlog::info("flow along {}: smoothing_ratio {:g}, artificial_viscosity {:g}; history.csv has its velocity and drive",
+               c.flow.along, c.numerics.smoothing_ratio, c.numerics.artificial_viscosity);
+}
+
 }  // namespace
 
 void announce_choices(const Case& of) {
@@ -57,6 +65,7 @@ void announce_choices(const Case& of) {
   announce("model.turbulence", of.model.turbulence, Model{}.turbulence);
   announce("model.wall_friction", of.model.wall_friction, Model{}.wall_friction);
   announce("numerics.shifting", of.numerics.shifting, Shifting::off);
+  announce_flow(of);
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
   for (const std::string& warning : warnings_of_coarse_grains(of)) spdlog::warn(warning);

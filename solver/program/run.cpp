@@ -67,7 +67,7 @@ class Run {
   Exit to_the_end(bool continued) {
     schedule_output();
     output_.open(continued ? std::make_optional(clock_.time) : std::nullopt,
-                 case_.gauges.empty() ? std::string() : gauge_heading_line(case_));
+                 case_.gauges.empty() ? std::string() : gauge_heading_line(case_), case_.flow.drive != Drive::off);
     since_start_ = {};
     since_checkpoint_ = {};
     if (clock_.step == 0 && !output_.has_snapshots()) {

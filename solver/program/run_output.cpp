@@ -21,6 +21,7 @@ constexpr const char* history_header =
     "sediment_mass [kg],excluded [-],max_speed [m/s],viscous_iterations [-],viscous_residual [-],viscous_retries [-],"
     "viscosity_capped [-],pressure_sweeps [-],resting [-],bed_load [-],suspended [-],mass_in [kg],mass_out [kg],"
     "mass_lost [kg],grain_mass [kg],suspended_mass [kg]";
+constexpr const char* history_of_current = ",bulk_velocity [m/s],drive [m/s^2]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -34,8 +35,9 @@ int number_of_snapshot(const std::filesystem::path& file) {
 
 }  // namespace
 
-void RunOutput::open(std::optional<double> continued_at, const std::string& gauge_heading) {
+void RunOutput::open(std::optional<double> continued_at, const std::string& gauge_heading, bool has_current) {
   continued_at_ = continued_at;
+  has_current_ = has_current;
   std::error_code failure;
   std::filesystem::create_directories(folder_.snapshots(), failure);
   if (failure) throw RunError(folder_.snapshots().string() + ": cannot be made: " + failure.message());
@@ -46,7 +48,8 @@ void RunOutput::open(std::optional<double> continued_at, const std::string& gaug
     }
     if (!series_.empty()) write_series(folder_.snapshot_series(), series_, {.make_folders = false});
   }
-  history_.emplace(folder_.history(), history_header, continued_at);
+  const std::string columns = std::string(history_header) + (has_current ? history_of_current : "");
+  history_.emplace(folder_.history(), columns, continued_at);
   if (!gauge_heading.empty()) gauges_.emplace(folder_.gauges(), gauge_heading, continued_at);
   if (continued_at && std::filesystem::exists(folder_.excluded())) {
     excluded_.emplace(folder_.excluded(), excluded_header, continued_at);
@@ -92,6 +95,7 @@ void RunOutput::history(const Totals& t, const MassLedger& ledger, const StepRep
       counts.viscous_retries, report.viscous.capped, report.pressure_sweeps);
   row += fmt::format("{:.4g},{:.4g},{:.4g},{:.9g},{:.9g},{:.9g},{:.12g},{:.9g}", share(t.resting), share(t.bed_load),
                      share(t.suspended), ledger.in, ledger.out, ledger.lost, t.grain_mass, t.suspended_mass);
+  if (has_current_) row += fmt::format(",{:.9g},{:.9g}", t.bulk_velocity, t.drive);
   lock_.require_folder();
   history_->add(row);
 }

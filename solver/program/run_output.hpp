@@ -28,8 +28,8 @@ class RunOutput {
 
   /// Opens the tables and the series; a benchmark does not. `continued_at` [s]: rows and snapshots up to that time are
   /// kept; without it the folder holds no results. `gauge_heading` is the heading of gauges.csv; without one there is no
-  /// such file.
-  void open(std::optional<double> continued_at, const std::string& gauge_heading);
+  /// such file. `has_current`: history.csv has columns for a driven flow.
+  void open(std::optional<double> continued_at, const std::string& gauge_heading, bool has_current);
 
   void snapshot(Simulation& simulation, const RunClock& clock);
   void history(const Totals& totals, const MassLedger& ledger, const StepReport& report, const RunClock& clock,
@@ -59,6 +59,7 @@ class RunOutput {
   std::vector<SeriesEntry> series_;
   int next_snapshot_ = 0;  // number in its name
   std::optional<double> continued_at_;
+  bool has_current_ = false;
   std::optional<RunTable> history_;   // none in a benchmark
   std::optional<RunTable> excluded_;  // none before the first particle is excluded
   std::optional<RunTable> gauges_;

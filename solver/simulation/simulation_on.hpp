@@ -35,6 +35,8 @@ class SimulationOn final : public Simulation {
     if (scene_.has_moving_walls) load_motions(on_, p_, motions, from);
     if (scene_.suspended_load.on) load_grains(on_, p_, scene_, from);
     if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
+    if (scene_.mixing_length) bring_eddy_viscosity(on_, p_, scene_);
+    if (scene_.current.on) load_control(on_, work_, scene_, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(on_, p_, scene_, listed->second);
   }
@@ -70,6 +72,7 @@ class SimulationOn final : public Simulation {
   Totals totals() override {
     Totals sums = sum_totals(on_, p_, scene_);
     add_grain_sums(on_, p_, scene_, sums);
+    add_current_sums(on_, p_, scene_, work_, sums);
     return sums;
   }
   MassLedger ledger() const override { return work_.population.ledger(); }
@@ -121,6 +124,7 @@ class SimulationOn final : public Simulation {
     ParticleSet out = snapshot();
     add_full_state(on_, p_, scene_, out);
     work_.population.add_to(out);
+    if (scene_.current.on) add_control(on_.read(work_.control.data()), out);
     return out;
   }
 

@@ -59,6 +59,8 @@ struct Totals {
   double sediment_mass = 0;        // [kg]
   double grain_mass = 0;           // [kg] of all grains; 0 unless the water carries some (models/suspended_load)
   double suspended_mass = 0;       // [kg] of the grains that the water carries
+  double bulk_velocity = 0;        // [m/s] of a driven current, mean over the water's mass (models/current)
+  double drive = 0;                // [m/s^2] its acceleration
   double momentum[3] = {0, 0, 0};  // [kg m/s]
   // Sediment particles: all, at rest, and in the states they may have.
   std::int64_t sediment = 0;

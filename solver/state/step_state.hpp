@@ -60,7 +60,8 @@ struct StepState {
   TimeStep step;
   Extremes walls;                 // of moving walls; squares of speed and acceleration
   float sediment_viscosity = 0;   // [m^2/s] largest, where it is treated explicitly
-  float eddy_viscosity = 0;       // [m^2/s] largest, of the water (models/sub_particle)
+  float eddy_viscosity = 0;       // [m^2/s] largest, of the water (models/sub_particle, models/mixing_length)
+  int finds_eddies = 0;           // 1: the eddy viscosity is found anew in this step (models/mixing_length)
   int go = 1;                     // 0: the run has diverged
   int moves = 1;                  // 0: the run has diverged or the viscous solve is not finished; no particle moves
   double shift_velocity[3] = {};  // mean change of velocity by a shift [m/s]

@@ -43,9 +43,10 @@ struct SuspendedLoadModel {
   template <class C>
   static void after_step(C& step) {
     auto& p = step.p;
-    const SubParticle* eddies = step.scene.sub_particle_stress ? p.sub_particle.data() : nullptr;
-    step.on.for_each(p.fluid_count,
-                     DiffusivityPass<C::dimension>{p.record.data(), eddies, p.suspended.data(), step.scene});
+    const SubParticle* sub_particle = step.scene.sub_particle_stress ? p.sub_particle.data() : nullptr;
+    const Eddies* eddies = step.scene.mixing_length ? p.eddies.data() : nullptr;
+    step.on.for_each(p.fluid_count, DiffusivityPass<C::dimension>{p.record.data(), sub_particle, eddies,
+                                                                  p.suspended.data(), step.scene});
     settle(step.on, p, step.scene, step.state);
     exchange_with_bed(step.on, p, step.scene, step.state);
   }

@@ -2,6 +2,7 @@
 
 #include "physics/sediment/suspension_viscosity.hpp"
 #include "physics/transport/suspended_load.hpp"
+#include "solver/models/mixing_length/arrays.hpp"
 #include "solver/models/sub_particle/arrays.hpp"
 #include "solver/models/suspended_load/arrays.hpp"
 #include "solver/models/suspended_load/scene.hpp"
@@ -123,11 +124,12 @@ struct SettlingSweep {
 /// Particle pass: diffusivity of the grains, that of the eddies that a turbulence model finds and the scene's own.
 template <int Dim>
 struct DiffusivityPass {
-  using reads = Reads<field::matter, field::sub_particle>;
+  using reads = Reads<field::matter, field::sub_particle, field::eddies>;
   using writes = Writes<field::suspended>;
 
   const Record* records;
-  const SubParticle* eddies;  // nullptr without a model of turbulence
+  const SubParticle* sub_particle;  // nullptr without this model of turbulence
+  const Eddies* eddies;             // nullptr without that one
   Suspended* suspended;
   Scene<Dim> scene;
 
@@ -135,7 +137,10 @@ struct DiffusivityPass {
     const SuspendedLoadConstants& law = scene.suspended_load;
     suspended[i].diffusivity = 0;
     if (!is_water(records[i])) return;
-    suspended[i].diffusivity = law.diffusivity + (eddies == nullptr ? 0 : eddies[i].eddy_viscosity / law.schmidt);
+    float of_eddies = 0;
+    if (sub_particle != nullptr) of_eddies = sub_particle[i].eddy_viscosity;
+    if (eddies != nullptr) of_eddies = eddies[i].viscosity;
+    suspended[i].diffusivity = law.diffusivity + of_eddies / law.schmidt;
   }
 };
 

@@ -135,6 +135,14 @@ void feel_walls(Scene<2>& s) {
   s.wall_stress = {true, 1e-6F, 0.1F, 1};
 }
 
+/// A driven current with the eddies of a mixing length.
+void drive_a_current(Scene<2>& s) {
+  feel_walls(s);
+  s.mixing_length = true;
+  s.current.on = s.current.controlled = true;
+  s.current.start = {0.5, 0.2, 0, 0, 2.5};
+}
+
 }  // namespace
 
 std::vector<DeviceScene> device_scenes() {
@@ -154,6 +162,8 @@ std::vector<DeviceScene> device_scenes() {
           with(pushed(), "stress on moving walls", feel_walls),
           with(slump, "water that sticks to walls", [](Scene<2>& s) { s.water_sticks = s.needs_near_walls = true; }),
           with(slump, "sub-particle stress", [](Scene<2>& s) { s.sub_particle_stress = true; }),
+          with(slump, "current with a mixing length", drive_a_current),
+          with(loaded(), "current with a mixing length over loose grains", drive_a_current),
           with(slump, "shifting", [](Scene<2>& s) { use_shifting(s); }),
           with(slump, "acoustic damper", damp_sound),
           with(mixture(), "mixture with acoustic damper", damp_sound),

@@ -1,0 +1,66 @@
+#include "case/tables/flow.hpp"
+
+#include <algorithm>
+
+#include "case/case.hpp"
+#include "case/tables/common_checks.hpp"
+
+namespace thalweg {
+namespace {
+
+/// The key with the drive's number; "" without a drive.
+std::string key_of(Drive drive) {
+  switch (drive) {
+    case Drive::off:
+      return "";
+    case Drive::slope:
+    case Drive::discharge:
+    case Drive::velocity:
+      break;
+  }
+  return word_for(drive);
+}
+
+void check_start(const Flow& flow, const Case& whole, const CheckContext& at) {
+  for (const std::string& name : flow.start_of) {
+    const auto found =
+        std::find_if(whole.shapes.begin(), whole.shapes.end(), [&](const Shape& shape) { return shape.name == name; });
+    if (found != whole.shapes.end() && found->role == ShapeRole::water) continue;
+    at.reject("flow.start_of", fmt::format("flow.start_of names \"{}\", which is no shape of water", name),
+              "name a [[shape]] with role = \"water\"");
+  }
+}
+
+}  // namespace
+
+bool Flow::uses_key(std::string_view key, int) const {
+  if (key == "drive") return true;
+  if (drive == Drive::off) return false;
+  if (key == "slope" || key == "discharge" || key == "velocity") return key == key_of(drive);
+  return key != "start_of" || start != FlowStart::rest;
+}
+
+void Flow::check(const Case& whole, const CheckContext& at) const {
+  for (const std::string& key : at.keys()) {
+    if (!at.given(key) || uses_key(key, at.dimension())) continue;
+    const bool of_start = drive != Drive::off && key == "start_of";
+    at.reject(at.key(key),
+              fmt::format("{} means nothing with {}", at.key(key),
+                          of_start ? "start = \"rest\"" : fmt::format("drive = \"{}\"", word_for(drive))),
+              "remove it");
+  }
+  if (drive == Drive::off) return;
+  const std::string number = key_of(drive);
+  const double value = drive == Drive::slope ? slope : drive == Drive::discharge ? discharge : velocity;
+  if (!(value > 0)) {
+    at.reject("flow.drive", fmt::format("drive = \"{}\" needs flow.{} above 0", number, number),
+              fmt::format("give flow.{}", number));
+  }
+  if (along != "x" && !(along == "y" && at.uses(1))) {
+    at.reject("flow.along", fmt::format("flow.along = \"{}\" is no direction of a flow", along),
+              at.uses(1) ? "write \"x\" or \"y\"" : "write \"x\" with dimension = 2");
+  }
+  check_start(*this, whole, at);
+}
+
+}  // namespace thalweg

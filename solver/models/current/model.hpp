@@ -1,0 +1,68 @@
+#pragma once
+
+#include "solver/models/current/drive.hpp"
+#include "solver/models/current/scene.hpp"
+#include "solver/state/report.hpp"
+
+namespace thalweg {
+
+struct SceneSource;
+
+/// The state of the drive.
+template <class Device>
+struct CurrentWork {
+  typename Device::template Buffer<CurrentControl> control;  // one
+};
+
+/// A current that something drives around a period: [flow].
+struct CurrentModel {
+  template <int Dim>
+  using Parameters = CurrentScene<Dim>;
+  template <class Device>
+  using Work = CurrentWork<Device>;
+  static constexpr const char* heading = "drive_current";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
+
+  template <class Scene>
+  static constexpr bool is_on(const Scene& scene) {
+    return scene.current.on;
+  }
+  template <class C>
+  static void add_forces(C& step) {
+    auto& p = step.p;
+    step.on.for_each(p.fluid_count, DrivePass{p.record.data(), p.rates.data(), step.work.control.data(),
+                                              step.scene.current.component});
+  }
+  template <class C>
+  static void after_step(C& step) {
+    if (!step.scene.current.controlled) return;
+    control_current(step.on, step.p, step.scene, step.state, step.work.control.data());
+  }
+};
+
+/// Brings the control to the device.
+template <int Dim, class Device>
+void load_control(Device& on, CurrentWork<Device>& work, const Scene<Dim>& scene, const ParticleSet& from) {
+  on.upload(HostBuffer<CurrentControl>{control_of(from, scene.current)}, work.control);
+}
+
+/// Adds velocity and drive of the current to the sums over the fluid.
+template <int Dim, class Device>
+void add_current_sums(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, const CurrentWork<Device>& work,
+                      Totals& totals) {
+  if (!scene.current.on) return;
+  const WaterMotion sum =
+      on.reduce(p.fluid_count, WaterMotion{}, WaterMotionPass{p.record.data(), p.mass.data(), scene.current.component},
+                [] HOST_DEVICE(WaterMotion a, const WaterMotion& b) {
+                  a.momentum += b.momentum;
+                  a.mass += b.mass;
+                  return a;
+                });
+  totals.bulk_velocity = sum.mass > 0 ? sum.momentum / sum.mass : 0;
+  totals.drive = on.read(work.control.data()).acceleration;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <utility>
+
+#include "solver/models/mixing_length/eddy_viscosity.hpp"
+#include "solver/models/mixing_length/local_depth.hpp"
+#include "solver/models/mixing_length/scene.hpp"
+#include "solver/models/mixing_length/wall_distance.hpp"
+#include "solver/passes/time_step.hpp"
+
+namespace thalweg {
+
+struct SceneSource;
+
+/// Buffers of the searches for distance and depth.
+template <class Device>
+struct MixingLengthWork {
+  WallDistanceWork<Device> wall_distance;
+  LocalDepthWork<Device> local_depth;
+};
+
+/// Turbulence of currents over walls and beds: model.turbulence = "mixing-length".
+struct MixingLengthModel {
+  template <int Dim>
+  using Parameters = MixingLengthScene<Dim>;
+  template <class Device>
+  using Arrays = MixingLengthArrays<Device>;
+  template <class Device>
+  using Work = MixingLengthWork<Device>;
+  static constexpr const char* heading = "find_mixing_length";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
+
+  template <class Scene>
+  static constexpr bool is_on(const Scene& scene) {
+    return scene.mixing_length;
+  }
+  template <class C>
+  static bool lists_due(C& step) {
+    return step.work.new_lists;
+  }
+  template <class C>
+  static void at_lists(C& step) {
+    find_wall_distances(step.on, step.p, step.scene, step.work.wall_distance);
+    find_local_depths(step.on, step.p, step.scene, step.work.local_depth);
+  }
+  template <class C>
+  static void at_strength(C& step) {
+    // With the lists bed may have become water (models/suspended_load).
+    const bool due = step.work.new_lists && step.scene.water_has_grains;
+    find_eddy_viscosity(step.on, step.p, step.scene, step.state, due);
+  }
+  template <class C>
+  static void at_forces(C& step) {
+    compute_accelerations_with_eddies(step.on, step.p, step.scene);
+  }
+  template <class C>
+  static void find_limits(C& step) {
+    const Eddies* eddies = step.p.eddies.data();
+    StepState* state = step.state;
+    step.on.reduce_then(
+        step.p.fluid_count, 0.0F,
+        declare<Reads<field::eddies>, Writes<>>([=] HOST_DEVICE(Index i) { return eddies[i].viscosity; }),
+        [] HOST_DEVICE(float a, float b) { return a > b ? a : b; },
+        [=] HOST_DEVICE(float found) { state->eddy_viscosity = found; });
+  }
+  /// To 0.125 h^2 over the largest viscosity of the water, its own and that of the eddies.
+  template <class Scene>
+  HOST_DEVICE static void limit_step(const Scene& scene, StepState& state) {
+    const double nu = double(scene.water_viscosity) / double(scene.water_density) + double(state.eddy_viscosity);
+    if (nu > 0) shorten(state.step, viscous_time_step(scene.smoothing_length, nu), Limiter::viscosity);
+  }
+};
+
+}  // namespace thalweg

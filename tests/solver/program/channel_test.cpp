@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/solver/program/channel_run.hpp"
+
+// The current of cases/channel at a coarse spacing, and what belongs to a driven flow: control, start, restart.
+namespace thalweg {
+namespace {
+
+TEST(Channel, HasTheLogLawsVelocityAndProfile) {
+  const test::ChannelResult r =
+      test::run_channel({.spacing = 0.01, .friction_velocity = 0.044, .roughness = 1e-3, .end = 24});
+  EXPECT_LT(std::abs(r.velocity), test::limit_of("channel", "velocity"));
+  EXPECT_LT(r.profile_rms, test::limit_of("channel", "profile"));
+  EXPECT_LT(std::abs(r.depth), test::limit_of("channel", "depth"));
+  EXPECT_NEAR(r.balance, 1, test::limit_of("channel", "stress"));
+}
+
+TEST(ControlledChannel, ReachesItsVelocityFromRestWithoutOvershoot) {
+  // u* of 0.7 m/s over 1 mm of roughness is 41 mm/s, H/u* 2.42 s: within 0.1 % from 2.2 H/u* = 5.3 s on.
+  test::CaseRun run("channel_from_rest");
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/program/channel/driven.toml",
+                {"flow.start=rest", "output.end=\"8 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto t = history.numbers("time", "s");
+  const auto U = history.numbers("bulk_velocity", "m/s");
+  EXPECT_LT(U[0], 0.01);
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    EXPECT_LT(U[i], 1.001 * 0.7) << t[i];
+    if (t[i] > 5.3) {
+      EXPECT_NEAR(U[i], 0.7, 1e-3 * 0.7) << t[i];
+    }
+  }
+}
+
+TEST(ControlledChannel, HoldsADischarge) {
+  test::CaseRun run("channel_discharge");
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/program/channel/discharge.toml",
+                {"flow.start=uniform", "output.end=\"2 s\""});
+  // Uniform: all water has the velocity 0.07 m^2/s over 0.1 m.
+  for (std::size_t i = 0; i < run.start().size(); ++i) {
+    if (run.start().type[i] != ParticleType::water) continue;
+    ASSERT_NEAR(run.start().velocity[i].x(), 0.7, 1e-5);
+  }
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const auto U = CsvTable::read(run.folder().history()).numbers("bulk_velocity", "m/s");
+  // The mass of the water counts its compression, 2e-3 at most.
+  for (const double u : U) EXPECT_NEAR(u, 0.7, 3e-3 * 0.7);
+}
+
+TEST(ControlledChannel, ContinuesBitForBit) {
+  const std::string scene = THALWEG_SOURCE_DIR "/tests/solver/program/channel/driven.toml";
+  const std::vector<std::string> options = {"output.end=\"0.4 s\"", "output.interval=\"0.2 s\""};
+  test::CaseRun straight("channel_straight");
+  straight.fill_from(scene, options);
+  ASSERT_EQ(run_solver(straight.options()), Exit::done);
+  test::CaseRun broken("channel_broken");
+  broken.fill_from(scene, options);
+  RunOptions half = broken.options();
+  half.until = "0.2 s";
+  ASSERT_EQ(run_solver(half), Exit::done);
+  RunOptions rest = broken.options();
+  rest.restart = broken.folder().checkpoint();
+  ASSERT_EQ(run_solver(rest), Exit::done);
+  const ParticleSet a = read_particles(straight.folder().checkpoint());
+  const ParticleSet b = read_particles(broken.folder().checkpoint());
+  ASSERT_EQ(a.id, b.id);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a.position[i], b.position[i]) << "particle " << a.id[i];
+    ASSERT_EQ(a.velocity[i], b.velocity[i]) << "particle " << a.id[i];
+  }
+  EXPECT_EQ(a.scalars, b.scalars);
+  EXPECT_EQ(a.doubles, b.doubles);
+  ASSERT_TRUE(a.facts.contains("CurrentControl"));
+  EXPECT_EQ(a.facts.at("CurrentControl"), b.facts.at("CurrentControl"));
+}
+
+TEST(DrivenFlowStart, IsALogProfileOfTheShapesNamed) {
+  // Two blocks of water side by side over a floor and over a step 4 cm high; the second one starts at rest.
+  test::CaseRun run("channel_regions");
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/program/channel/step.toml", {});
+  const ParticleSet& p = run.start();
+  int moving = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vec3& x = p.position[i];
+    const double u = double(p.velocity[i].x());
+    if (p.type[i] != ParticleType::water || x.x() > 0.2) {
+      EXPECT_EQ(u, 0);
+      continue;
+    }
+    const double floor = x.x() > 0.1 ? 0.04 : 0;
+    const double friction = std::sqrt(9.81 * 0.002 * (0.1 - floor));
+    EXPECT_NEAR(u, log_profile(friction, x.z() - floor, 1e-6, 1e-3), 1e-5);
+    ++moving;
+  }
+  EXPECT_EQ(moving, 160);
+}
+
+}  // namespace
+}  // namespace thalweg
