@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/host_device.hpp"
+#include "physics/water/von_karman.hpp"
 
 namespace thalweg {
 
@@ -47,7 +48,7 @@ HOST_DEVICE inline FrictionVelocity<Real> friction_velocity(Real U, Real z, Real
   using std::sqrt;
   FrictionVelocity<Real> found;
   if (!(U > 0)) return found;
-  const Real kappa = Real(0.41);
+  constexpr Real kappa = von_karman<Real>;
   const Real laminar = sqrt(U * viscosity / z);
   found.friction_velocity = laminar;
   while (found.iterations < most_friction_iterations) {

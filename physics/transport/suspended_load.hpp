@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/lane_math.hpp"
+#include "physics/water/von_karman.hpp"
 
 // Suspended grains as a concentration C [-], the volume of grains in a volume of water with grains. They sink through the
 // water at the settling velocity w [m/s] and are mixed by its eddies, of diffusivity D [m^2/s]. Water and grains change
@@ -57,7 +58,7 @@ HOST_DEVICE inline Real flux_from_bed(Real C_r, Real C, Real w, Real friction_ve
   using std::expm1;
   using std::log;
   const Real settles = w * log((z > Real(1.01) * a ? z / a : Real(1.01)) / s);
-  const Real mixing = Real(0.41) * friction_velocity;
+  const Real mixing = von_karman<Real> * friction_velocity;
   const Real most = Real(80);  // e^-q is no number of single precision beyond
   if (!(settles < most * mixing)) return -w * C;
   const Real q = settles / mixing;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/host_device.hpp"
+#include "physics/water/von_karman.hpp"
 
 namespace thalweg {
 
@@ -35,7 +36,7 @@ HOST_DEVICE inline Real wall_friction_velocity(Real U, Real mean, Real z, Real v
   if (!(U > 0)) return 0;
   constexpr int most_rounds = 12;
   const Real laminar = std::sqrt(U * viscosity / mean);
-  const Real slowest = Real(0.41) * U;
+  const Real slowest = von_karman<Real> * U;
   const Real rough = Real(0.033) * roughness;
   Real turbulent = slowest;
   for (int round = 0; round < most_rounds; ++round) {

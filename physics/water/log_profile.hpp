@@ -4,6 +4,7 @@
 
 #include "physics/host_device.hpp"
 #include "physics/transport/wall_stress.hpp"
+#include "physics/water/von_karman.hpp"
 
 namespace thalweg {
 
@@ -20,7 +21,7 @@ template <class Real>
 HOST_DEVICE inline Real log_profile(Real friction_velocity, Real z, Real viscosity, Real roughness) {
   using std::log;
   const Real origin = profile_origin(friction_velocity, viscosity, roughness);
-  return z > origin ? friction_velocity / Real(0.41) * log(z / origin) : Real(0);
+  return z > origin ? friction_velocity / von_karman<Real> * log(z / origin) : Real(0);
 }
 
 /// Friction velocity u* [m/s] of a current with the depth-mean velocity U [m/s] and the depth H [m]. The mean of ln(z/z0)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/host_device.hpp"
+#include "physics/water/von_karman.hpp"
 
 namespace thalweg {
 
@@ -19,7 +20,7 @@ template <class Real>
 HOST_DEVICE inline Real mixing_length(Real distance, Real depth) {
   using std::sqrt;
   if (!(distance > 0 && distance < depth)) return 0;
-  return Real(0.41) * distance * sqrt(1 - distance / depth);
+  return von_karman<Real> * distance * sqrt(1 - distance / depth);
 }
 
 /// Kinematic eddy viscosity nu_t [m^2/s] of a mixing length l [m] and a rate of strain |S| [1/s].

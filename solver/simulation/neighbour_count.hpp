@@ -21,26 +21,22 @@ double mean_neighbours(Device& on, const Particles<Device>& p, const Scene<Dim>&
                   return std::int64_t{list.last(n * stride)} - list.first(n * stride);
                 }),
                 sum);
-  const std::int64_t found = on.reduce(
-      samples, std::int64_t{0},
-      declare<Neighbours<field::place>, Reads<field::place>, Writes<>>([=] HOST_DEVICE(Index n) {
-        const Index c = n * stride;
-        std::int64_t neighbours = 0;
-        for (Index i = list.first(c); i < list.last(c); ++i) {
-          for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
-            const Index j = list.entries[e];
-            if (j == list.count) continue;
-            float r2 = 0;
-            for (int k = 0; k < Dim; ++k) {
-              const float d = scene.distance(k, records[i].place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
-              r2 += d * d;
-            }
-            if (r2 < support2) ++neighbours;
-          }
-        }
-        return neighbours;
-      }),
-      sum);
+  const std::int64_t found =
+      on.reduce(samples, std::int64_t{0},
+                declare<Neighbours<field::place>, Reads<field::place>, Writes<>>([=] HOST_DEVICE(Index n) {
+                  const Index c = n * stride;
+                  std::int64_t neighbours = 0;
+                  for (Index i = list.first(c); i < list.last(c); ++i) {
+                    for (Index e = list.begin[c]; e < list.begin[c + 1]; ++e) {
+                      const Index j = list.entries[e];
+                      if (j == list.count) continue;
+                      const Vec<Dim, float> r = scene.separation(records[i].place, records[j].place);
+                      if (dot(r, r) < support2) ++neighbours;
+                    }
+                  }
+                  return neighbours;
+                }),
+                sum);
   return double(found) / double(particles);
 }
 

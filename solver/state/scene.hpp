@@ -44,6 +44,12 @@ struct FlowScene {
   [[nodiscard]] HOST_DEVICE float distance(int k, std::int32_t a, std::int32_t b) const {
     return static_cast<float>(Lattice<Dim>::difference(a, b)) * lattice.quantum[k];
   }
+  /// From place b to place a, each of three coordinates [m].
+  [[nodiscard]] HOST_DEVICE Vec<Dim, float> separation(const std::int32_t* a, const std::int32_t* b) const {
+    Vec<Dim, float> r{};
+    for (int k = 0; k < Dim; ++k) r[k] = distance(k, a[axis<Dim>(k)], b[axis<Dim>(k)]);
+    return r;
+  }
   [[nodiscard]] HOST_DEVICE float support() const { return static_cast<float>(2 * smoothing_length); }
   [[nodiscard]] PairMetric<Dim> metric() const { return {lattice.quantum, kernel}; }
 };

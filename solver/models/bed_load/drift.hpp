@@ -94,9 +94,7 @@ struct BedLoadDriftPass {
       const bool load = records[j].kind == kind::bed_load;
       const bool fixed = is_wall(records[j]) || records[j].kind == kind::deposit || is_resting(records[j]);
       if (!load && !fixed) continue;
-      Vec<Dim, float> r{};
-      for (int k = 0; k < Dim; ++k)
-        r[k] = scene.distance(k, records[i].place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
+      const Vec<Dim, float> r = scene.separation(records[i].place, records[j].place);
       const float r2 = dot(r, r);
       if (!(r2 < support * support)) continue;
       const float t = scene.kernel.closeness(sqrtf(r2));

@@ -29,12 +29,8 @@ HOST_DEVICE inline bool is_moving_wall(const Record& r) {
 /// True if b lies within the support of a. A cluster's list is that of four particles, which may lie apart.
 template <int Dim>
 HOST_DEVICE inline bool in_reach(const Scene<Dim>& scene, const Record& a, const Record& b) {
-  float r2 = 0;
-  for (int k = 0; k < Dim; ++k) {
-    const float d = scene.distance(k, a.place[axis<Dim>(k)], b.place[axis<Dim>(k)]);
-    r2 += d * d;
-  }
-  return r2 < scene.support() * scene.support();
+  const Vec<Dim, float> r = scene.separation(a.place, b.place);
+  return dot(r, r) < scene.support() * scene.support();
 }
 
 /// Wakes a particle at rest.

@@ -142,11 +142,8 @@ struct NearestWaterPass {
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (!is_water(records[j])) continue;
-      float r2 = 0;
-      for (int k = 0; k < Dim; ++k) {
-        const float d = scene.distance(k, records[j].place[axis<Dim>(k)], records[i].place[axis<Dim>(k)]);
-        r2 += d * d;
-      }
+      const Vec<Dim, float> r = scene.separation(records[j].place, records[i].place);
+      const float r2 = dot(r, r);
       if (r2 < nearest2) nearest2 = r2, nearest = j;
     }
     if (nearest == list.count) return;

@@ -59,11 +59,8 @@ struct ReceiverPass {
       const Index j = list.entries[e];
       if (j == list.count || records[j].volume == 0 || is_water(records[j]) == water) continue;
       if (!water && !is_water(records[j])) continue;
-      float r2 = 0;
-      for (int k = 0; k < Dim; ++k) {
-        const float d = scene.distance(k, records[j].place[axis<Dim>(k)], r.place[axis<Dim>(k)]);
-        r2 += d * d;
-      }
+      const Vec<Dim, float> to = scene.separation(records[j].place, r.place);
+      const float r2 = dot(to, to);
       if (r2 < nearest2) nearest2 = r2, receiver[i] = water ? i : j;
     }
   }

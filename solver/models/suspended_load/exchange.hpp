@@ -4,6 +4,7 @@
 
 #include "physics/transport/lift_settling.hpp"
 #include "physics/transport/suspended_load.hpp"
+#include "physics/water/von_karman.hpp"
 #include "solver/models/states/bed_states.hpp"
 #include "solver/models/suspended_load/arrays.hpp"
 #include "solver/models/suspended_load/bed_change.hpp"
@@ -24,8 +25,7 @@ struct OverBed {
 template <int Dim>
 HOST_DEVICE inline OverBed place_over_bed(const Record& a, const Record& b, const BedSurface& surface,
                                           const Scene<Dim>& scene) {
-  Vec<Dim, float> r{};
-  for (int k = 0; k < Dim; ++k) r[k] = scene.distance(k, a.place[axis<Dim>(k)], b.place[axis<Dim>(k)]);
+  const Vec<Dim, float> r = scene.separation(a.place, b.place);
   const float r2 = dot(r, r);
   if (!(r2 < scene.support() * scene.support())) return {};
   const auto dp = static_cast<float>(scene.spacing);
@@ -143,7 +143,7 @@ struct BedExchangePass {
     const float C = suspended[a].concentration;
     const Suspended& of = suspended[b];
     // The eddies that a model of turbulence knows say how deep the water is; without one it counts as deep.
-    const float of_wall = 0.41F * of.friction * over.height;
+    const float of_wall = von_karman<float> * of.friction * over.height;
     const float known = suspended[a].diffusivity;
     const float share = known > 0.5F * of_wall && known < of_wall ? known / of_wall : 1;
     const float J = flux_from_bed(of.reference, C, law.settling_velocity * hindered_share(C), of.friction, over.height,
