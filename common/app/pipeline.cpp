@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <climits>
 #include <cstdio>
 
 #include "case/reader/case_file.hpp"
@@ -89,6 +90,17 @@ void require_same_case(const RunFolder& run, const Case& scene) {
   }
 }
 
+/// The deepest files of a run stand in its foam folder, some 120 characters below the run's.
+void require_short_path(const RunFolder& run) {
+  constexpr std::size_t room = 200;
+  const std::size_t length = std::filesystem::absolute(run.root).string().size();
+  if (length + room <= PATH_MAX) return;
+  throw InputError(
+      fmt::format("{}...: the path of the run's folder has {} characters, and at most {} leave room for its "
+                  "files; give a shorter --out",
+                  run.root.string().substr(0, 40), length, PATH_MAX - room));
+}
+
 void announce(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);  // before the stage's own lines
@@ -149,6 +161,7 @@ int run_pipeline(const PipelineOptions& given) {
   const Case scene = read_case(options.case_path, options.overrides);
   const std::string out = (options.out.empty() ? std::filesystem::path("out") / scene.info.name : options.out).string();
   const RunFolder folder{out};
+  require_short_path(folder);
   if (options.resume) require_same_case(folder, scene);
   if (!options.resume && !options.force) {
     refuse_to_replace(folder, "continue it with --resume, replace it with --force, or give another --out");

@@ -57,6 +57,20 @@ class WrongInput(unittest.TestCase):
     def test_broken_toml(self):
         self.rejected_case('spacing = "5 mm"', 'spacing = = "5 mm"')
 
+    def test_path_that_leaves_no_room_for_files(self):
+        self.out = self.folder.joinpath(*["d" * 250] * 16)
+        command = case.command(thalweg, "run", case.CASE, self.out, (), ["--no-foam"])
+        self.rejected(command, "shorter --out")
+
+    def test_more_files_than_the_case_allows(self):
+        self.case_with("[output]\n", '[output]\ndisk_limit = "1 MB"\n')
+        result = case.call(case.command(thalweg, "run", self.folder, self.out, (), ["--no-foam"]))
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        errors = [line for line in result.stderr.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(errors), 1, result.stderr)
+        self.assertRegex(errors[0], r"will take about .* and output.disk_limit is .*; lengthen output.interval")
+        self.assertFalse((self.out / "snapshots").exists())
+
     def test_no_case(self):
         self.rejected(case.command(thalweg, "run", self.folder / "nowhere", self.out, ()), "nowhere")
 
