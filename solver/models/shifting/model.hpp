@@ -34,6 +34,7 @@ template <int Dim>
 void use_shifting(Scene<Dim>& scene) {
   scene.has_shifting = true;
   scene.shifting_interval = shifting::interval;
+  scene.shifting_keeps_level = dot(scene.gravity, scene.gravity) > 0;
   scene.pressing = dot(scene.gravity, scene.gravity) > 0 ? 0 : INFINITY;
   const auto& kernel = scene.kernel;
   scene.inverse_spacing_kernel = 1 / kernel.value(kernel.closeness(static_cast<float>(scene.spacing)));
