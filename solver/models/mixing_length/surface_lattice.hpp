@@ -164,8 +164,7 @@ struct AddBedPass {
     for (Index entry = list.begin[cluster]; entry < list.begin[cluster + 1]; ++entry) {
       const Index j = list.entries[entry];
       if (j == list.count || j == i || records[j].volume == 0) continue;
-      Vec<Dim, float> r{};
-      for (int k = 0; k < Dim; ++k) r[k] = scene.distance(k, own.place[axis<Dim>(k)], records[j].place[axis<Dim>(k)]);
+      const Vec<Dim, float> r = scene.separation(own.place, records[j].place);
       const float r2 = dot(r, r);
       if (!(r2 < support * support)) continue;
       if (is_water(records[j])) {
