@@ -3,6 +3,7 @@
 #include "solver/models/bed_load/coupling.hpp"
 #include "solver/models/bed_load/drag.hpp"
 #include "solver/models/bed_load/drift.hpp"
+#include "solver/models/bed_load/hold.hpp"
 #include "solver/models/bed_load/lent_pressure.hpp"
 #include "solver/models/bed_load/scene.hpp"
 
@@ -29,6 +30,10 @@ struct BedLoadModel {
   template <class C>
   static void at_strength(C& step) {
     lend_pressure(step.on, step.p, step.scene);
+  }
+  template <class C>
+  static void add_forces(C& step) {
+    hold_surface(step.on, step.p, step.scene);
   }
   template <class C>
   static void before_motion(C& step) {
