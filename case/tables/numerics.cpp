@@ -12,8 +12,9 @@
 
 namespace thalweg {
 
-/// smoothing_ratio in driven scenes, whose lattice would carry shear with less, and in plane scenes of water alone: twice the neighbours and three quarters of the steps, some 1.15 times
-/// the seconds. A standing wave loses half as much, and an impact rings half as loud (docs/speed-against-error.md).
+/// smoothing_ratio in plane scenes of water alone: twice the neighbours and three quarters of the steps, some 1.15 times
+/// the seconds. A standing wave loses half as much, and an impact rings half as loud (docs/speed-against-error.md). Also
+/// in driven scenes: with less the lattice of particles carries shear.
 constexpr double smoothing_ratio_of_plane_water = 2;
 /// artificial_viscosity there. With such a kernel it is switched (physics/water/viscosity_switch.hpp).
 constexpr double switched_viscosity = 0.1;

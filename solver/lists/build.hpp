@@ -68,7 +68,7 @@ void choose_clusters(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
                      declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index c) { return (marks[c] & reaches_walls) != 0; }),
                      p.clusters_near_walls);
   }
-  if (scene.has_states) {
+  if (scene.has_states || (scene.has_sediment && scene.mixing_length)) {
     selection.choose(p.all_fluid(), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index c) {
                        constexpr std::uint8_t both = has_sediment | reaches_water;
                        return (marks[c] & both) == both;

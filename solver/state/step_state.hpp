@@ -65,7 +65,6 @@ struct StepState {
   int go = 1;                     // 0: the run has diverged
   int moves = 1;                  // 0: the run has diverged or the viscous solve is not finished; no particle moves
   double shift_velocity[3] = {};  // mean change of velocity by a shift [m/s]
-  double shift_way[3] = {};       // mean shift over the step [m/s]
   int shifts = 0;                 // 1: particles are shifted at the end of the step (models/shifting)
   ViscousState viscous;
   std::int64_t capped = 0;  // particles whose viscosity was cut

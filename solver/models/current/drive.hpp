@@ -9,9 +9,9 @@
 #include "solver/state/scene.hpp"
 #include "solver/state/step_state.hpp"
 
-// The drive of a periodic flume: a uniform acceleration of the water along the flow. It enters no hydrostatic term: walls, density
-// diffusion and bed know Scene::gravity alone. Sediment does not feel it: its weight's part along a slope of some
-// thousandths is nothing beside its friction.
+// The drive of a periodic flume: a uniform acceleration of the water along the flow. It enters no hydrostatic term:
+// walls, density diffusion and bed know Scene::gravity alone. Sediment does not feel it: its weight's part along a slope
+// of some thousandths is nothing beside its friction.
 namespace thalweg {
 
 /// Particle pass: the drive's acceleration.

@@ -6,12 +6,12 @@
 #include "solver/passes/velocity_gradient.hpp"
 #include "solver/state/step_state.hpp"
 
-// Eddy viscosity of the water (physics/water/mixing_length.hpp), and the forces it makes. It is found every few steps, and lies
-// in the records' viscosity, times the density.
+// Eddy viscosity of the water (physics/water/mixing_length.hpp), and the forces it makes. It is found every few steps,
+// and lies in the records' viscosity, times the density.
 namespace thalweg {
 
-/// Steps from one eddy viscosity to the next. In eight steps water at a twentieth of the sound speed goes a fifth of a smoothing
-/// length.
+/// Steps from one eddy viscosity to the next. In eight steps water at a twentieth of the sound speed goes a fifth of a
+/// smoothing length.
 inline constexpr int eddy_interval = 8;
 
 /// Pair sweep: eddy viscosity of the water, from its velocity gradient over water neighbours alone. Walls and sediment do

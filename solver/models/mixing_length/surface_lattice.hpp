@@ -14,7 +14,7 @@ namespace thalweg {
 /// Sums of the pieces next to one node, in millionths (2^-20).
 template <int Dim>
 struct SurfaceNode {
-  std::int64_t number;       // of pieces, times 2^20
+  std::int64_t number;       // of pieces
   std::int64_t level;        // of the plane along the normal, from the node [spacings]
   std::int64_t normal[Dim];  // unit vectors into the water
 };

@@ -25,10 +25,9 @@
 // momentum by that; their mean change of velocity is taken back, so that momentum stays to rounding. Masses stay.
 //
 // Densities do not see the shifts, nor what their diffusion does at a surface: with the time the volumes m/rho are no
-// longer those that the particles take up, and a current of 0.1 m rose or sank by 3 mm in 90 s. So with gravity
-//   - the mean shift of all is taken back too, and the centre of mass stays
-//   - densities follow the packing, as slowly as 2000 h/c:  dd = (f - 1) N dt/(2000 h/c),  f = -sum V F r^2/D,
-//     where 0.95 < f < 1.05: elsewhere is a surface
+// longer those that the particles take up, and a current of 0.1 m rose or sank by 3 mm in 90 s. So with gravity the
+// densities follow the packing, as slowly as 2000 h/c:
+//   dd = (f - 1) N dt/(2000 h/c),   f = -sum V F r^2/D,   where f > 0.95: with less there is a surface
 namespace thalweg {
 
 namespace field {
@@ -36,14 +35,14 @@ inline constexpr Field shift{"ShiftVelocity", quad_work};
 }
 
 namespace shifting {
-inline constexpr float strength = 20;          // C [-]
-inline constexpr float closest = 0.2F;         // e under tension [-]
-inline constexpr float surface_from = 0.93F;   // of the ramp s [-]
-inline constexpr float surface_width = 0.05F;  // [-]
-inline constexpr float longest = 0.1F;         // of a shift, in spacings [-]
-inline constexpr int interval = 4;             // steps from one shift to the next
-inline constexpr float packing_time = 2000;    // of the density towards the packing, in h/c [-]
-inline constexpr float packing_range = 0.05F;  // of f around 1 [-]
+inline constexpr float strength = 20;           // C [-]
+inline constexpr float closest = 0.2F;          // e under tension [-]
+inline constexpr float surface_from = 0.93F;    // of the ramp s [-]
+inline constexpr float surface_width = 0.05F;   // [-]
+inline constexpr float longest = 0.1F;          // of a shift, in spacings [-]
+inline constexpr int interval = 4;              // steps from one shift to the next
+inline constexpr float packing_time = 2000;     // of the density towards the packing, in h/c [-]
+inline constexpr float packing_least = -0.05F;  // f - 1 where the packing is known [-]
 }  // namespace shifting
 
 /// Pair sweep over the fluid: the shift of each water particle, as the velocity [m/s] that takes it there within the
@@ -94,9 +93,9 @@ struct ShiftSweep {
     const auto h = static_cast<float>(scene.smoothing_length);
     const float steps = static_cast<float>(scene.shifting_interval);
     const float packing = -sum.fullness / Dim - 1;
-    if (scene.shifting_keeps_level && fabsf(packing) < shifting::packing_range) {
-      const float time = shifting::packing_time * h / scene.sound_speed;
-      r.work[3] = packing * steps * static_cast<float>(state->step.dt) / time;
+    if (scene.shifting_keeps_level && packing > shifting::packing_least) {
+      r.work[3] =
+          packing * steps * static_cast<float>(state->step.dt) * scene.sound_speed / (shifting::packing_time * h);
     }
     const float factor =
         shifting::strength * h * h * strain_rate<Dim>(gradient).magnitude * steps * (inside < 1 ? inside : 1);
@@ -118,11 +117,9 @@ struct ShiftSweep {
   }
 };
 
-/// Momentum that the changes of velocity bring, what the shifts move of the centre of mass, and the mass of what is
-/// shifted.
+/// Momentum that the changes of velocity bring, and the mass of what is shifted.
 struct ShiftMomentum {
   double momentum[3] = {};  // [kg m/s]
-  double way[3] = {};       // over the step [kg m/s]
   double mass = 0;          // [kg]
 };
 
@@ -141,10 +138,7 @@ struct ShiftMomentumPass {
     ShiftMomentum sum;
     if (!is_shifted(records[i])) return sum;
     sum.mass = double(mass[i]);
-    for (int c = 0; c < 3; ++c) {
-      sum.momentum[c] = sum.mass * double(rates[i].acceleration[c]);
-      sum.way[c] = sum.mass * double(records[i].work[c]);
-    }
+    for (int c = 0; c < 3; ++c) sum.momentum[c] = sum.mass * double(rates[i].acceleration[c]);
     return sum;
   }
 };
@@ -163,13 +157,11 @@ struct ShiftPass {
   HOST_DEVICE void operator()(Index i) const {
     Record& r = drift.records[i];
     if (!ShiftMomentumPass::is_shifted(r)) return;
-    float way[3];
     for (int c = 0; c < 3; ++c) {
       r.velocity[c] += rates[i].acceleration[c] - static_cast<float>(state->shift_velocity[c]);
-      way[c] = r.work[c] - static_cast<float>(state->shift_way[c]);
     }
     r.excess += r.work[3];
-    drift.move(i, way);
+    drift.move(i, r.work);
   }
 };
 
@@ -177,7 +169,6 @@ struct ShiftPass {
 template <int Dim, class Device>
 void shift_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
   const int interval = scene.shifting_interval;
-  const bool keeps_level = scene.shifting_keeps_level;
   on.for_each(1, declare<Reads<>, Writes<>>(
                      [=] HOST_DEVICE(Index) { state->shifts = state->number % interval == 0 ? state->moves : 0; }));
   const int* const before = on.skip_unless(&state->shifts);
@@ -185,15 +176,12 @@ void shift_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
   on.reduce_then(
       p.fluid_count, ShiftMomentum{}, ShiftMomentumPass{p.record.data(), p.rates.data(), p.mass.data()},
       [] HOST_DEVICE(ShiftMomentum a, const ShiftMomentum& b) {
-        for (int c = 0; c < 3; ++c) a.momentum[c] += b.momentum[c], a.way[c] += b.way[c];
+        for (int c = 0; c < 3; ++c) a.momentum[c] += b.momentum[c];
         a.mass += b.mass;
         return a;
       },
       [=] HOST_DEVICE(const ShiftMomentum& sum) {
-        for (int c = 0; c < 3; ++c) {
-          state->shift_velocity[c] = sum.mass > 0 ? sum.momentum[c] / sum.mass : 0;
-          state->shift_way[c] = keeps_level && sum.mass > 0 ? sum.way[c] / sum.mass : 0;
-        }
+        for (int c = 0; c < 3; ++c) state->shift_velocity[c] = sum.mass > 0 ? sum.momentum[c] / sum.mass : 0;
       });
   on.for_each(p.fluid_count,
               ShiftPass<Dim>{{p.record.data(), p.position.data(), scene, state, 1.0}, p.rates.data(), state});

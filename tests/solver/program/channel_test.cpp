@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "tests/solver/program/channel_run.hpp"
 
@@ -75,6 +76,26 @@ TEST(ControlledChannel, ContinuesBitForBit) {
   EXPECT_EQ(a.doubles, b.doubles);
   ASSERT_TRUE(a.facts.contains("CurrentControl"));
   EXPECT_EQ(a.facts.at("CurrentControl"), b.facts.at("CurrentControl"));
+}
+
+TEST(DrivenFlow, KeepsItsVelocityOverABedAtRest) {
+  // The log law over 1 mm of roughness with u* = 22 mm/s: 0.3689 m/s. In 6 s, 1.3 H/u*, friction that is 20 % off would
+  // change it by 1.6 % (u*^2/H 6 s = 29 mm/s).
+  test::CaseRun run("channel_bed");
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/program/channel/bed.toml", {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  for (const double u : CsvTable::read(run.folder().history()).numbers("bulk_velocity", "m/s")) {
+    EXPECT_NEAR(u, 0.3689, 0.01 * 0.3689);
+  }
+  const ParticleSet end = run.snapshot_at(6);
+  std::map<std::int64_t, Vec3> before;
+  for (std::size_t i = 0; i < run.start().size(); ++i) before[run.start().id[i]] = run.start().position[i];
+  double farthest = 0;
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    if (end.type[i] != ParticleType::sediment) continue;
+    farthest = std::max(farthest, (end.position[i] - before.at(end.id[i])).norm());
+  }
+  EXPECT_LT(farthest, 0.01 * run.scene().numerics.spacing);
 }
 
 TEST(DrivenFlowStart, IsALogProfileOfTheShapesNamed) {
