@@ -41,6 +41,21 @@ TEST(BadInput, PeriodicDomain) {
             "cm or 21 cm long");
 }
 
+TEST(BadInput, FlumeThatNothingCanFlowAround) {
+  Case scene = empty_scene(2, 0.01);
+  add_tank(scene, Vec3(0, 0, 0), Vec3(0.2, 0, 0.1)).open = {"-x", "+x", "+z"};
+  add_box(scene, "pool", ShapeRole::water, Vec3(0.05, 0, 0), Vec3(0.2, 0, 0.05));
+  scene.domain.periodic = {"x"};
+  scene.domain.from.x() = 0;
+  scene.domain.to.x() = 0.2;
+  EXPECT_EQ(refusal(scene), "accepted");
+  scene.flow.drive = Drive::slope;
+  scene.flow.slope = 0.002;
+  EXPECT_EQ(refusal(scene),
+            "scene.toml: no water lies at both ends of the period along x, so that nothing can flow around it; let "
+            "shapes of water reach both ends, and walls neither");
+}
+
 TEST(BadInput, ShapesWithoutParticles) {
   Case scene = pool_in_tank();
   add_box(scene, "pond", ShapeRole::water, Vec3(20, 0, 0), Vec3(21, 0, 0.05));

