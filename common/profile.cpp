@@ -62,8 +62,8 @@ Profile read_profile(const std::filesystem::path& file) {
       known = true;
     }
     if (!known) {
-      throw InputError(
-          fmt::format("{}: unknown column \"{}\"; a profile has {}", table.where(), shown(column.heading()), known_columns));
+      throw InputError(fmt::format("{}: unknown column \"{}\"; a profile has {}", table.where(),
+                                   shown(column.heading()), known_columns));
     }
   }
   for (std::size_t row = 0; row < profile.x.size(); ++row) {
