@@ -55,6 +55,9 @@ void announce_flow(const Case& c) {
   announce("flow.drive", c.flow.drive);
   spdlog::info("flow along {}: smoothing_ratio {:g}, artificial_viscosity {:g}; history.csv has its velocity and drive",
                c.flow.along, c.numerics.smoothing_ratio, c.numerics.artificial_viscosity);
+  if (c.model.sediment == SedimentModel::three_state && c.model.implementation == Implementation::law) {
+    spdlog::info("flow: the surface of beds less steep than grains stand is held against the pressure of the water");
+  }
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct BedLoadModel {
   }
   template <class C>
   static void add_forces(C& step) {
-    hold_surface(step.on, step.p, step.scene);
+    if (step.scene.bed_load.holds_surface) hold_surface(step.on, step.p, step.scene);
   }
   template <class C>
   static void before_motion(C& step) {

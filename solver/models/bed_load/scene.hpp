@@ -7,6 +7,7 @@ namespace thalweg {
 /// Constants of the bed load and of the drag between bed and water.
 struct BedLoadConstants {
   bool on = false;
+  bool holds_surface = false;  // against the pressure of the water (hold.hpp)
   BedLoad law = BedLoad::meyer_peter_mueller;
   float scale = 0;             // sqrt((rho_s/rho_w - 1) g d^3) [m^2/s]
   float layer = 0;             // (1 - n) dp, grains of a surface particle over its area [m]

@@ -1,9 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "physics/transport/bed_load.hpp"
 #include "tests/solver/case_run.hpp"
 
@@ -12,28 +8,9 @@
 namespace thalweg {
 namespace {
 
-constexpr double bed = 0.04;    // [m] thickness of the flat part
-constexpr double depth = 0.15;  // [m] of the water over it
 constexpr double diameter = 2e-3;
 constexpr double porosity = 0.4;
-constexpr double critical = 0.047;                                             // theta_cr
-constexpr double stage = 3;                                                    // theta/theta_cr at the start
-const double friction = std::sqrt(stage * critical * 1.65 * 9.81 * diameter);  // u* [m/s]
-
-/// The logarithmic profile over the flat bed, with noise of half a friction velocity.
-void start_current(test::CaseRun& run, unsigned seed) {
-  ParticleSet particles = run.start();
-  const double origin = 0.11 * 1e-6 / friction + 0.033 * diameter;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> noise(-friction / 2, friction / 2);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.type[i] != ParticleType::water) continue;
-    const double z = std::max(particles.position[i].z() - bed, 1.5 * origin);
-    const double along = friction / 0.41 * std::log(z / origin);
-    particles.velocity[i] = Vec3(along + noise(random), 0, noise(random)).cast<float>();
-  }
-  write_particles(run.folder().particles(), particles, PositionPrecision::double_precision);
-}
+constexpr double critical = 0.047;  // theta_cr
 
 /// Over the back of the hump, per width [m^2/s].
 struct Flux {
@@ -66,7 +43,6 @@ TEST_P(SteppedHump, CarriesWhatTheLawSays) {
   test::CaseRun run("stepped_hump");
   run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/program/stepped_hump/hump.toml",
                 {"numerics.spacing=\"" + std::to_string(GetParam()) + " m\""});
-  start_current(run, 1);
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   Flux sum;
   for (const SeriesEntry& e : read_series(run.folder().snapshot_series())) {
