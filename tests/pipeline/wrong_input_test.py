@@ -58,9 +58,11 @@ class WrongInput(unittest.TestCase):
         self.rejected_case('spacing = "5 mm"', 'spacing = = "5 mm"')
 
     def test_path_that_leaves_no_room_for_files(self):
-        self.out = self.folder.joinpath(*["d" * 250] * 16)
-        command = case.command(thalweg, "run", case.CASE, self.out, (), ["--no-foam"])
-        self.rejected(command, "shorter --out")
+        deep = self.folder.joinpath(*["d" * 250] * 16)
+        result = case.call(case.command(thalweg, "run", case.CASE, deep, (), ["--no-foam"]))
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertRegex(result.stderr, r"(?m)^error: .* give a shorter --out$")
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_more_files_than_the_case_allows(self):
         self.case_with("[output]\n", '[output]\ndisk_limit = "1 MB"\n')

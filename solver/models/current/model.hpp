@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/backend/buffer.hpp"
 #include "solver/models/current/drive.hpp"
 #include "solver/models/current/scene.hpp"
 #include "solver/state/report.hpp"
