@@ -57,7 +57,7 @@ DeviceScene drifting() {
   Scene<2>& scene = plane(s);
   scene.has_drift = scene.erosion.by_law = true;
   const auto dp = static_cast<float>(scene.spacing);
-  scene.bed_load = {true, BedLoad::meyer_peter_mueller, 4.766e-4F, 0.53F * dp, dp, 0.2F, 3 * dp, 300 * g};
+  scene.bed_load = {true, false, BedLoad::meyer_peter_mueller, 4.766e-4F, 0.53F * dp, dp, 0.2F, 3 * dp, 300 * g};
   return s;
 }
 
@@ -140,6 +140,7 @@ void drive_a_current(Scene<2>& s) {
   feel_walls(s);
   s.mixing_length = true;
   s.current.on = s.current.controlled = true;
+  s.bed_load.holds_surface = true;
   s.current.start = {0.5, 0.2, 0, 0, 2.5};
 }
 
