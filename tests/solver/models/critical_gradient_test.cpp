@@ -89,32 +89,23 @@ class Permeameter {
   static ParticleSet matter(double spacing, const Scene<2>& scene) {
     const Column c = column(spacing);
     ParticleSet p;
-    const auto add = [&](ParticleType type, const Vec3& x, double density, double mass) {
-      p.id.push_back(static_cast<std::int64_t>(p.id.size()));
-      p.type.push_back(type);
-      p.position.push_back(x);
-      p.velocity.push_back(Eigen::Vector3f::Zero());
-      p.pressure.push_back(0);
-      p.density.push_back(static_cast<float>(density));
-      p.mass.push_back(static_cast<float>(mass));
-    };
     const ParticleSet lattice = test::fill_lattice(
         scene, [&](const Vec3& x) { return x.z() > 0 && x.z() < c.height ? ParticleType::water : ParticleType::wall; });
     const double cell = spacing * spacing;
     for (std::size_t i = 0; i < lattice.size(); ++i) {
       const Vec3 x = lattice.position[i];
       if (lattice.type[i] == ParticleType::wall) {
-        if (x.z() < 0) add(ParticleType::wall, x, 1000, 1000 * cell);
+        if (x.z() < 0) add(p, ParticleType::wall, x, 1000, 1000 * cell);
         continue;
       }
       const bool grains = x.z() > bed_from - 4 * spacing && x.z() < bed_to;
       if (grains) {
-        add(ParticleType::sediment, x, double(density_in_files(scene, kind::deposit)),
+        add(p, ParticleType::sediment, x, double(density_in_files(scene, kind::deposit)),
             (1 - c.porosity) * grain_density * cell);
       }
       const double c2 = c.sound_speed * c.sound_speed;
       const double density = 1000 * std::pow(1 + 7 * g * (c.height - x.z()) / c2, 1.0 / 7);
-      add(ParticleType::water, x, density, (grains ? c.porosity : 1) * density * cell);
+      add(p, ParticleType::water, x, density, (grains ? c.porosity : 1) * density * cell);
     }
     return p;
   }

@@ -54,6 +54,17 @@ inline Scene<2> scene_of(const Column& c) {
   return s;
 }
 
+/// Adds a particle at rest, with the next id. Density [kg/m^3], mass [kg].
+inline void add(ParticleSet& to, ParticleType type, const Vec3& x, double density, double mass) {
+  to.id.push_back(static_cast<std::int64_t>(to.id.size()));
+  to.type.push_back(type);
+  to.position.push_back(x);
+  to.velocity.push_back(Eigen::Vector3f::Zero());
+  to.pressure.push_back(0);
+  to.density.push_back(static_cast<float>(density));
+  to.mass.push_back(static_cast<float>(mass));
+}
+
 /// Grains and pore water on every node of the column, the water carrying the weight of both.
 inline ParticleSet fill(const Column& c, const Scene<2>& scene, bool open_above) {
   ParticleSet p = fill_lattice(scene, [&](const Vec3& x) {
@@ -63,27 +74,18 @@ inline ParticleSet fill(const Column& c, const Scene<2>& scene, bool open_above)
   const double cell = c.spacing * c.spacing;
   const std::size_t nodes = p.size();
   ParticleSet kept;
-  const auto add = [&](ParticleType type, const Vec3& x, double density, double mass) {
-    kept.id.push_back(static_cast<std::int64_t>(kept.id.size()));
-    kept.type.push_back(type);
-    kept.position.push_back(x);
-    kept.velocity.push_back(Eigen::Vector3f::Zero());
-    kept.pressure.push_back(0);
-    kept.density.push_back(static_cast<float>(density));
-    kept.mass.push_back(static_cast<float>(mass));
-  };
   for (std::size_t i = 0; i < nodes; ++i) {
     const Vec3 x = p.position[i];
     if (p.type[i] == ParticleType::wall) {
-      if (!open_above || x.z() < 0) add(ParticleType::wall, x, 1000, 1000 * cell);
+      if (!open_above || x.z() < 0) add(kept, ParticleType::wall, x, 1000, 1000 * cell);
       continue;
     }
     const double mixed = c.porosity * 1000 + (1 - c.porosity) * grain_density;
     const double pressure = mixed * -double(c.gravity[1]) * (c.height - x.z());
     const double water = 1000 * std::pow(1 + 7 * pressure / (1000 * c.sound_speed * c.sound_speed), 1.0 / 7);
-    add(ParticleType::sediment, x, double(density_in_files(scene, kind::deposit)),
+    add(kept, ParticleType::sediment, x, double(density_in_files(scene, kind::deposit)),
         (1 - c.porosity) * grain_density * cell);
-    add(ParticleType::water, x, water, c.porosity * water * cell);
+    add(kept, ParticleType::water, x, water, c.porosity * water * cell);
   }
   return kept;
 }

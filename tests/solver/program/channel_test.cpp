@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/solver/program/broken_run.hpp"
 #include "tests/solver/program/channel_run.hpp"
 
 // The current of cases/channel at a coarse spacing, and what belongs to a driven flow: control, start, restart.
@@ -54,28 +55,11 @@ TEST(ControlledChannel, HoldsADischarge) {
 TEST(ControlledChannel, ContinuesBitForBit) {
   const std::string scene = THALWEG_SOURCE_DIR "/tests/solver/program/channel/driven.toml";
   const std::vector<std::string> options = {"output.end=\"0.4 s\"", "output.interval=\"0.2 s\""};
-  test::CaseRun straight("channel_straight");
-  straight.fill_from(scene, options);
-  ASSERT_EQ(run_solver(straight.options()), Exit::done);
-  test::CaseRun broken("channel_broken");
-  broken.fill_from(scene, options);
-  RunOptions half = broken.options();
-  half.until = "0.2 s";
-  ASSERT_EQ(run_solver(half), Exit::done);
-  RunOptions rest = broken.options();
-  rest.restart = broken.folder().checkpoint();
-  ASSERT_EQ(run_solver(rest), Exit::done);
-  const ParticleSet a = read_particles(straight.folder().checkpoint());
-  const ParticleSet b = read_particles(broken.folder().checkpoint());
-  ASSERT_EQ(a.id, b.id);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a.position[i], b.position[i]) << "particle " << a.id[i];
-    ASSERT_EQ(a.velocity[i], b.velocity[i]) << "particle " << a.id[i];
-  }
-  EXPECT_EQ(a.scalars, b.scalars);
-  EXPECT_EQ(a.doubles, b.doubles);
-  ASSERT_TRUE(a.facts.contains("CurrentControl"));
-  EXPECT_EQ(a.facts.at("CurrentControl"), b.facts.at("CurrentControl"));
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(scene, options, "0.2 s", ends));
+  EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
+  ASSERT_TRUE(ends.straight.facts.contains("CurrentControl"));
+  EXPECT_EQ(ends.straight.facts.at("CurrentControl"), ends.joined.facts.at("CurrentControl"));
 }
 
 TEST(DrivenFlow, KeepsItsVelocityOverABedAtRest) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "tests/solver/case_run.hpp"
+#include "tests/solver/program/broken_run.hpp"
 
 // Scenes of tests/solver/moving_walls, run as the programs would.
 namespace thalweg {
@@ -152,25 +152,9 @@ TEST(Paddles, AreWhereTheirMotionsPutThem) {
 }
 
 TEST(Paddles, ContinueBitForBitAfterARestart) {
-  test::CaseRun straight("straight");
-  straight.fill_from(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml", short_flume);
-  ASSERT_EQ(run_solver(straight.options()), Exit::done);
-  test::CaseRun broken("broken");
-  broken.fill_from(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml", short_flume);
-  RunOptions first = broken.options();
-  first.until = "0.2 s";
-  ASSERT_EQ(run_solver(first), Exit::done);
-  RunOptions rest = broken.options();
-  rest.restart = broken.folder().checkpoint();
-  ASSERT_EQ(run_solver(rest), Exit::done);
-  const ParticleSet a = read_particles(straight.folder().checkpoint());
-  const ParticleSet b = read_particles(broken.folder().checkpoint());
-  ASSERT_EQ(a.id, b.id);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a.position[i], b.position[i]) << "particle " << a.id[i];
-    ASSERT_EQ(a.velocity[i], b.velocity[i]) << "particle " << a.id[i];
-  }
-  EXPECT_EQ(a.scalars, b.scalars);
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(
+      test::run_with_a_break(THALWEG_SOURCE_DIR "/tests/case/good_case_moving.toml", short_flume, "0.2 s", ends));
 }
 
 }  // namespace
