@@ -50,6 +50,35 @@ struct ColumnLattice {
     if (periodic[k]) return (node % nodes[k] + nodes[k]) % nodes[k];
     return node >= 0 && node < nodes[k] ? node : -1;
   }
+  /// A place between nodes: the nodes below it, and how far towards the next ones it lies [0, 1).
+  struct Cell {
+    int node[Dim];
+    float fraction[Dim];
+
+    /// Linear share of the lower node along k (step 0) or of the next one (step 1) in what lies at the place.
+    [[nodiscard]] HOST_DEVICE float share(int k, int step) const { return step != 0 ? fraction[k] : 1 - fraction[k]; }
+  };
+  [[nodiscard]] HOST_DEVICE Cell cell_of(const Position& at) const {
+    Cell cell;
+    for (int k = 0; k < Dim; ++k) cell.node[k] = below(k, at.x[axis<Dim>(k)], cell.fraction[k]);
+    return cell;
+  }
+  /// Number of columns among which a place is shared.
+  static constexpr int corners = 1 << (Dim - 1);
+  /// Index of the column at a corner of a cell (bit k of `corner`: the next node along k), or -1 beyond the lattice.
+  /// `share` becomes the column's linear share [-] in what lies at the place; beyond the lattice it has no meaning.
+  HOST_DEVICE int column_at(const Cell& cell, int corner, float& share) const {
+    share = 1;
+    int column = 0;
+    for (int k = Dim - 2; k >= 0; --k) {
+      const int step = (corner >> k) & 1;
+      share *= cell.share(k, step);
+      const int n = inside(k, cell.node[k] + step);
+      if (n < 0) return -1;
+      column = column * nodes[k] + n;
+    }
+    return column;
+  }
   /// Index of the column closest to a place, or -1 beyond the lattice.
   [[nodiscard]] HOST_DEVICE int nearest_column(const Position& at) const {
     int column = 0;

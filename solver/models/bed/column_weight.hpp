@@ -51,30 +51,22 @@ struct DepositPass {
     if (r.volume == 0) return;
     const std::int64_t nearest = columns.nearest(positions[i]);
     if (nearest >= 0) content[nearest] = column_node::fluid;
-    float share[Dim];
-    int node[Dim];
-    for (int k = 0; k < Dim; ++k) node[k] = columns.below(k, positions[i].x[axis<Dim>(k)], share[k]);
+    const auto cell = columns.cell_of(positions[i]);
     const int levels = columns.levels();
-    for (int corner = 0; corner < (1 << Dim); ++corner) {
-      float weight = 1;
-      int column = 0;
-      bool in = true;
-      for (int k = Dim - 2; k >= 0; --k) {
-        const int step = (corner >> k) & 1;
-        weight *= step != 0 ? share[k] : 1 - share[k];
-        const int n = columns.inside(k, node[k] + step);
-        in = in && n >= 0;
-        column = column * columns.nodes[k] + n;
+    for (int corner = 0; corner < ColumnLattice<Dim>::corners; ++corner) {
+      float share;
+      const int column = columns.column_at(cell, corner, share);
+      if (column < 0) continue;
+      if (share >= 0.5F) wetted[column] = 1;
+      if (share >= 0.5F && is_water(r)) under_water[column] = 1;
+      if (!is_sediment(r)) continue;
+      for (int up = 0; up < 2; ++up) {
+        const int level = cell.node[Dim - 1] + up;
+        if (level < 0 || level >= levels) continue;
+        const float weight = share * cell.share(Dim - 1, up);
+        atomic_add_to(deposited + static_cast<std::int64_t>(column) * levels + level,
+                      static_cast<std::int64_t>(static_cast<double>(weight * r.volume) * columns.quanta_per_volume));
       }
-      if (!in) continue;
-      const int up = (corner >> (Dim - 1)) & 1;
-      const int level = node[Dim - 1] + up;
-      if (weight >= 0.5F) wetted[column] = 1;
-      if (weight >= 0.5F && is_water(r)) under_water[column] = 1;
-      if (!is_sediment(r) || level < 0 || level >= levels) continue;
-      weight *= up != 0 ? share[Dim - 1] : 1 - share[Dim - 1];
-      atomic_add_to(deposited + static_cast<std::int64_t>(column) * levels + level,
-                    static_cast<std::int64_t>(static_cast<double>(weight * r.volume) * columns.quanta_per_volume));
     }
   }
 };

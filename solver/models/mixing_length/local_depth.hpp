@@ -27,23 +27,13 @@ struct FillColumnsPass {
   HOST_DEVICE void operator()(Index i) const {
     const Record& r = records[i];
     if (r.volume == 0 || !is_water(r)) return;
-    float share[Dim];
-    int node[Dim];
-    for (int k = 0; k + 1 < Dim; ++k) node[k] = columns.below(k, positions[i].x[axis<Dim>(k)], share[k]);
-    for (int corner = 0; corner < (1 << (Dim - 1)); ++corner) {
-      float weight = 1;
-      int column = 0;
-      bool in = true;
-      for (int k = Dim - 2; k >= 0; --k) {
-        const int step = (corner >> k) & 1;
-        weight *= step != 0 ? share[k] : 1 - share[k];
-        const int n = columns.inside(k, node[k] + step);
-        in = in && n >= 0;
-        column = column * columns.nodes[k] + n;
-      }
-      if (!in) continue;
+    const auto cell = columns.cell_of(positions[i]);
+    for (int corner = 0; corner < ColumnLattice<Dim>::corners; ++corner) {
+      float share;
+      const int column = columns.column_at(cell, corner, share);
+      if (column < 0) continue;
       atomic_add_to(filled + column,
-                    static_cast<std::int64_t>(static_cast<double>(weight * r.volume) * columns.quanta_per_volume));
+                    static_cast<std::int64_t>(static_cast<double>(share * r.volume) * columns.quanta_per_volume));
     }
   }
 };
