@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "physics/water/viscosity_treatment.hpp"
 #include "solver/backend/device.hpp"
 #include "solver/state/particles.hpp"
 #include "solver/state/scene.hpp"
@@ -64,6 +65,22 @@ HOST_DEVICE void choose_water_step(const Scene<Dim>& scene, StepState& state) {
   if (scene.water_viscosity > 0) {
     shorten(step, 0.125 * h * h * double(scene.water_density) / double(scene.water_viscosity), Limiter::viscosity);
   }
+}
+
+/// Finds the largest eddy viscosity of the water [m^2/s] for limit_by_eddies; `eddy_viscosity` is the particle pass that
+/// gives a particle's.
+template <class Device, class EddyViscosity>
+void find_largest_eddy_viscosity(Device& on, Index fluid_count, const EddyViscosity& eddy_viscosity, StepState* state) {
+  on.reduce_then(
+      fluid_count, 0.0F, eddy_viscosity, [] HOST_DEVICE(float a, float b) { return a > b ? a : b; },
+      [=] HOST_DEVICE(float found) { state->eddy_viscosity = found; });
+}
+
+/// Shortens the step to 0.125 h^2/nu of the largest viscosity of the water, its own and that of the eddies.
+template <int Dim>
+HOST_DEVICE void limit_by_eddies(const Scene<Dim>& scene, StepState& state) {
+  const double nu = double(scene.water_viscosity) / double(scene.water_density) + double(state.eddy_viscosity);
+  if (nu > 0) shorten(state.step, viscous_time_step(scene.smoothing_length, nu), Limiter::viscosity);
 }
 
 /// Shortens the step so that an output time is met exactly; the two last steps share what is left, lest a tiny one

@@ -59,18 +59,13 @@ struct MixingLengthModel {
   template <class C>
   static void find_limits(C& step) {
     const Eddies* eddies = step.p.eddies.data();
-    StepState* state = step.state;
-    step.on.reduce_then(
-        step.p.fluid_count, 0.0F,
-        declare<Reads<field::eddies>, Writes<>>([=] HOST_DEVICE(Index i) { return eddies[i].viscosity; }),
-        [] HOST_DEVICE(float a, float b) { return a > b ? a : b; },
-        [=] HOST_DEVICE(float found) { state->eddy_viscosity = found; });
+    find_largest_eddy_viscosity(
+        step.on, step.p.fluid_count,
+        declare<Reads<field::eddies>, Writes<>>([=] HOST_DEVICE(Index i) { return eddies[i].viscosity; }), step.state);
   }
-  /// To 0.125 h^2 over the largest viscosity of the water, its own and that of the eddies.
   template <class Scene>
   HOST_DEVICE static void limit_step(const Scene& scene, StepState& state) {
-    const double nu = double(scene.water_viscosity) / double(scene.water_density) + double(state.eddy_viscosity);
-    if (nu > 0) shorten(state.step, viscous_time_step(scene.smoothing_length, nu), Limiter::viscosity);
+    limit_by_eddies(scene, state);
   }
 };
 
