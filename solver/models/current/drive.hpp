@@ -33,6 +33,12 @@ struct DrivePass {
 struct WaterMotion {
   double momentum = 0;  // [kg m/s]
   double mass = 0;      // [kg]
+
+  HOST_DEVICE WaterMotion& operator+=(const WaterMotion& other) {
+    momentum += other.momentum;
+    mass += other.mass;
+    return *this;
+  }
 };
 
 /// Particle pass: a particle's part of it.
@@ -56,11 +62,7 @@ void control_current(Device& on, const Particles<Device>& p, const Scene<Dim>& s
                      CurrentControl* control) {
   on.reduce_then(
       p.fluid_count, WaterMotion{}, WaterMotionPass{p.record.data(), p.mass.data(), scene.current.component},
-      [] HOST_DEVICE(WaterMotion a, const WaterMotion& b) {
-        a.momentum += b.momentum;
-        a.mass += b.mass;
-        return a;
-      },
+      [] HOST_DEVICE(WaterMotion a, const WaterMotion& b) { return a += b; },
       [=] HOST_DEVICE(const WaterMotion& sum) {
         if (sum.mass > 0) *control = after_step(*control, sum.momentum / sum.mass, state->step.dt);
       });
