@@ -22,7 +22,7 @@ struct WaterRun {
 class FlowStarter {
  public:
   FlowStarter(const Case& scene, const std::vector<PlacedShape>& shapes, ParticleSet& particles)
-      : scene_(scene), shapes_(shapes), particles_(particles), component_(scene.flow.along == "x" ? 0 : 1) {}
+      : scene_(scene), shapes_(shapes), particles_(particles), component_(scene.flow.component()) {}
 
   /// Velocities of a run of water.
   void start(const WaterRun& run, std::span<const Label> labels) const {
@@ -86,7 +86,7 @@ class FlowStarter {
 
 /// Refuses a flume whose seam no water crosses: walls close it.
 void check_seam(const Case& scene, const ParticleSet& particles) {
-  const int axis = scene.flow.along == "x" ? 0 : 1;
+  const int axis = scene.flow.component();
   bool low = false;
   bool high = false;
   for (std::size_t i = 0; i < particles.size(); ++i) {

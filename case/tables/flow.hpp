@@ -60,6 +60,8 @@ struct Flow {
     v.texts("start_of", start_of, "Names of the shapes whose water starts so; without any, all water does.");
   }
 
+  /// Component of vectors along the flow: 0 for x, 1 for y.
+  [[nodiscard]] int component() const { return along == "x" ? 0 : 1; }
   [[nodiscard]] bool uses_key(std::string_view key, int dimension) const;
   void check(const Case& whole, const CheckContext& at) const;
 };

@@ -42,7 +42,7 @@ void CurrentModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const Flow& flow = from.of.flow;
   CurrentDrive& current = scene.current;
   current.on = true;
-  current.component = flow.along == "x" ? 0 : 1;
+  current.component = flow.component();
   const WaterBody water = water_of(from, current.component);
   const double depth = water.plan > 0 ? water.mass / (from.of.water.density * water.plan) : 0;
   const double viscosity = from.of.water.viscosity / from.of.water.density;
