@@ -31,6 +31,17 @@ void check_corners(const CheckContext& at, const Vec3& from, const Vec3& to);
 /// The times of the key have to lie within a run that ends at `end` [s].
 void check_within_run(const CheckContext& at, std::string_view key, const std::vector<double>& times, double end);
 
+/// Refuses keys that are given and mean nothing in this entry (uses_key). `reason_of(key)` ends the message "KEY means
+/// nothing ...": "with drive = \"off\"".
+template <class Entry, class Reason>
+void check_unused_keys(const CheckContext& at, const Entry& entry, const Reason& reason_of,
+                       const std::string& cure = "remove it") {
+  for (const std::string& key : at.keys()) {
+    if (!at.given(key) || entry.uses_key(key, at.dimension())) continue;
+    at.reject(at.key(key), fmt::format("{} means nothing {}", at.key(key), reason_of(key)), cure);
+  }
+}
+
 /// An entry's kind decides which keys it needs and which mean nothing. `also` is said of what decides beside the kind.
 template <class Entry>
 void check_keys(const CheckContext& at, const Entry& entry, std::string_view also = "") {
@@ -41,10 +52,7 @@ void check_keys(const CheckContext& at, const Entry& entry, std::string_view als
     at.reject(at.path(), fmt::format("{} is missing", at.key(key)),
               fmt::format("{} needs {}", kind, fmt::join(needed, ", ")));
   }
-  for (const std::string& key : at.keys()) {
-    if (!at.given(key) || entry.uses_key(key, at.dimension())) continue;
-    at.reject(at.key(key), fmt::format("{} means nothing for {}{}", at.key(key), kind, also), "remove it");
-  }
+  check_unused_keys(at, entry, [&](const std::string&) { return fmt::format("for {}{}", kind, also); });
 }
 
 }  // namespace thalweg

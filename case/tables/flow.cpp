@@ -41,14 +41,10 @@ bool Flow::uses_key(std::string_view key, int) const {
 }
 
 void Flow::check(const Case& whole, const CheckContext& at) const {
-  for (const std::string& key : at.keys()) {
-    if (!at.given(key) || uses_key(key, at.dimension())) continue;
+  check_unused_keys(at, *this, [&](const std::string& key) {
     const bool of_start = drive != Drive::off && key == "start_of";
-    at.reject(at.key(key),
-              fmt::format("{} means nothing with {}", at.key(key),
-                          of_start ? "start = \"rest\"" : fmt::format("drive = \"{}\"", word_for(drive))),
-              "remove it");
-  }
+    return of_start ? "with start = \"rest\"" : fmt::format("with drive = \"{}\"", word_for(drive));
+  });
   if (drive == Drive::off) return;
   const std::string number = key_of(drive);
   const double value = drive == Drive::slope ? slope : drive == Drive::discharge ? discharge : velocity;

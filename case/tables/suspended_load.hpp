@@ -1,7 +1,8 @@
 #pragma once
 
+#include <string_view>
+
 #include "case/models/suspended_load.hpp"
-#include "case/tables/common_checks.hpp"
 #include "case/tables/table.hpp"
 
 namespace thalweg {
@@ -33,13 +34,7 @@ struct SuspendedLoad {
   [[nodiscard]] bool uses_key(std::string_view key, int) const {
     return key == "carried_by" || carried_by == CarriedBy::water;
   }
-  void check(const Case&, const CheckContext& at) const {
-    for (const std::string& key : at.keys()) {
-      if (!at.given(key) || uses_key(key, at.dimension())) continue;
-      at.reject(at.key(key), at.key(key) + " means nothing with carried_by = \"parcels\"",
-                "remove it, or write carried_by = \"water\"");
-    }
-  }
+  void check(const Case&, const CheckContext& at) const;
 };
 
 }  // namespace thalweg
