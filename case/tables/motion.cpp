@@ -1,13 +1,12 @@
 #include "case/tables/motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "case/case.hpp"
 #include "case/tables/common_checks.hpp"
+#include "case/tables/time_table.hpp"
 #include "common/csv.hpp"
-#include "common/error.hpp"
 
 namespace thalweg {
 namespace {
@@ -74,18 +73,6 @@ std::vector<double> angles_in(const CsvTable& table) {
     for (double& angle : angles) angle *= std::numbers::pi / 180;
   }
   return angles;
-}
-
-void check_rows(const CsvTable& table, const std::vector<double>& times, const std::vector<double>& values) {
-  if (values.size() < 2) throw InputError(table.where() + ": the table has less than two rows; add some");
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    if (!std::isfinite(values[row]) || !(times[row] >= 0) || !std::isfinite(times[row])) {
-      throw InputError(table.where(row) + ": the row lacks a number or its time is negative; give both");
-    }
-    if (row > 0 && !(times[row] > times[row - 1])) {
-      throw InputError(table.where(row) + ": the time is not after that of the row before; sort the rows");
-    }
-  }
 }
 
 }  // namespace
@@ -155,11 +142,11 @@ void Motion::read_files(const std::filesystem::path& folder) {
       return;
     case MotionTable::displacements:
       displacements = table.numbers("displacement", "m");
-      check_rows(table, times, displacements);
+      check_time_rows(table, times, displacements);
       break;
     case MotionTable::angles:
       angles = angles_in(table);
-      check_rows(table, times, angles);
+      check_time_rows(table, times, angles);
       break;
   }
   file.clear();
