@@ -29,6 +29,12 @@ inline double limit_of(const std::string& case_name, const std::string& what) {
   return *limit;
 }
 
+/// Folder of one of the project's cases, or of a bundle's (tools/bundle).
+inline std::filesystem::path case_folder(const std::string& case_name) {
+  const char* cases = std::getenv("THALWEG_CASES");
+  return std::filesystem::path(cases == nullptr ? THALWEG_SOURCE_DIR "/cases" : cases) / case_name;
+}
+
 /// The folder carries the process's number: CTest runs every test as a process of its own, several at a time.
 class CaseRun {
  public:
@@ -42,8 +48,7 @@ class CaseRun {
   CaseRun& operator=(const CaseRun&) = delete;
 
   void fill(const std::string& case_name, const std::vector<std::string>& overrides) {
-    const char* cases = std::getenv("THALWEG_CASES");  // of a bundle (tools/bundle)
-    fill_from(std::filesystem::path(cases == nullptr ? THALWEG_SOURCE_DIR "/cases" : cases) / case_name, overrides);
+    fill_from(case_folder(case_name), overrides);
   }
   void fill_from(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
     gencase::Generated scene = gencase::generate(read_case(path, overrides));

@@ -5,8 +5,10 @@
 // A run with a break has to end as the one without, to the last bit.
 namespace thalweg::test {
 
-/// The last checkpoints of a scene that ran straight through, and of one that stopped at a time and went on.
+/// A scene that ran straight through, and one that stopped at a time and went on: their folders and last checkpoints.
 struct TwoEnds {
+  CaseRun straight_run{"straight"};
+  CaseRun broken_run{"broken"};
   ParticleSet straight;
   ParticleSet joined;
 };
@@ -14,10 +16,10 @@ struct TwoEnds {
 /// Runs the scene in `path` both ways; call it in ASSERT_NO_FATAL_FAILURE. `until`: time of the break, as "0.2 s".
 inline void run_with_a_break(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                              const std::string& until, TwoEnds& ends) {
-  CaseRun straight("straight");
+  CaseRun& straight = ends.straight_run;
   straight.fill_from(path, overrides);
   ASSERT_EQ(run_solver(straight.options()), Exit::done);
-  CaseRun broken("broken");
+  CaseRun& broken = ends.broken_run;
   broken.fill_from(path, overrides);
   RunOptions first = broken.options();
   first.until = until;
@@ -25,7 +27,8 @@ inline void run_with_a_break(const std::filesystem::path& path, const std::vecto
   RunOptions rest = broken.options();
   rest.restart = broken.folder().checkpoint();
   ASSERT_EQ(run_solver(rest), Exit::done);
-  ends = {read_particles(straight.folder().checkpoint()), read_particles(broken.folder().checkpoint())};
+  ends.straight = read_particles(straight.folder().checkpoint());
+  ends.joined = read_particles(broken.folder().checkpoint());
   ASSERT_EQ(ends.straight.id, ends.joined.id);
   for (std::size_t i = 0; i < ends.straight.size(); ++i) {
     ASSERT_EQ(ends.straight.position[i], ends.joined.position[i]) << "particle " << ends.straight.id[i];

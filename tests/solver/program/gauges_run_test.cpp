@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/solver/case_run.hpp"
+#include "tests/solver/program/broken_run.hpp"
 
 namespace thalweg {
 namespace {
@@ -60,10 +60,10 @@ const std::vector<std::string> short_run = {"numerics.spacing=\"20 mm\"", "outpu
 
 TEST(GaugesOfARun, AreWrittenWithoutSnapshotsAndContinuedAsOneRun) {
   const GaugedCase gauged("gauged");
-  test::CaseRun straight("gauges_straight");
-  straight.fill(gauged.path(), short_run);
-  ASSERT_EQ(run_solver(straight.options()), Exit::done);
-  const CsvTable table = CsvTable::read(straight.folder().gauges());
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(gauged.path(), short_run, "0.05 s", ends));
+  const RunFolder& straight = ends.straight_run.folder();
+  const CsvTable table = CsvTable::read(straight.gauges());
   ASSERT_EQ(table.rows(), 11U);  // every 0.01 s from 0 to 0.1 s
   // 0.1 m of water on 0.06 m of bed at the start, to a tenth of the spacing; the flume is still where the wave is not.
   EXPECT_NEAR(table.numbers("tank.level", "m").front(), 0.16, 0.002);
@@ -73,16 +73,7 @@ TEST(GaugesOfARun, AreWrittenWithoutSnapshotsAndContinuedAsOneRun) {
   // The tank empties: by Ritter (1892) with 8/27 c h = 0.029 m^2/s over a fixed bed.
   EXPECT_GT(table.numbers("gate.water", "m^2/s").back(), 0.01);
   EXPECT_LT(table.numbers("gate.water", "m^2/s").back(), 0.06);
-
-  test::CaseRun broken("gauges_broken");
-  broken.fill(gauged.path(), short_run);
-  RunOptions half = broken.options();
-  half.until = "0.05 s";
-  ASSERT_EQ(run_solver(half), Exit::done);
-  RunOptions rest = broken.options();
-  rest.restart = broken.folder().checkpoint();
-  ASSERT_EQ(run_solver(rest), Exit::done);
-  EXPECT_EQ(contents_of(broken.folder().gauges()), contents_of(straight.folder().gauges()));
+  EXPECT_EQ(contents_of(ends.broken_run.folder().gauges()), contents_of(straight.gauges()));
 }
 
 TEST(GaugesOfARun, AreAbsentWithoutGauges) {

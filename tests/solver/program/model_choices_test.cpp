@@ -4,7 +4,7 @@
 #include <map>
 
 #include "common/error.hpp"
-#include "tests/solver/case_run.hpp"
+#include "tests/solver/program/broken_run.hpp"
 
 // The choices a case has for the sediment, each on a coarse Louvain dam-break.
 namespace thalweg {
@@ -12,14 +12,19 @@ namespace {
 
 using testing::HasSubstr;
 
+/// A coarse and short run with these choices, as overrides.
+std::vector<std::string> short_run(std::vector<std::string> choices, const std::string& end = "0.1 s") {
+  choices.insert(choices.end(), {"numerics.spacing=\"20 mm\"", "output.end=\"" + end + "\"",
+                                 "output.interval=\"0.05 s\"", "compare.times=[]"});
+  return choices;
+}
+
 /// The run with these choices; its particles at the end are read from the checkpoint.
 class LouvainRun : public test::CaseRun {
  public:
-  LouvainRun(const std::string& name, std::vector<std::string> choices, const std::string& end = "0.1 s")
+  LouvainRun(const std::string& name, const std::vector<std::string>& choices, const std::string& end = "0.1 s")
       : CaseRun("choices_" + name) {
-    choices.insert(choices.end(), {"numerics.spacing=\"20 mm\"", "output.end=\"" + end + "\"",
-                                   "output.interval=\"0.05 s\"", "compare.times=[]"});
-    fill("louvain", choices);
+    fill("louvain", short_run(choices, end));
   }
 
   ParticleSet end() const { return read_particles(folder().checkpoint()); }
@@ -90,19 +95,9 @@ TEST(ModelChoices, StrengthFromTheStateStopsTheBed) {
 }
 
 TEST(ModelChoices, LaplacePressureContinuesBitForBit) {
-  const std::vector<std::string> laplace = {"model.effective_pressure=laplace"};
-  const ParticleSet straight = end_of("straight", laplace);
-  const LouvainRun broken("broken", laplace);
-  RunOptions half = broken.options();
-  half.until = "0.05 s";
-  ASSERT_EQ(run_solver(half), Exit::done);
-  RunOptions rest = broken.options();
-  rest.restart = broken.folder().checkpoint();
-  ASSERT_EQ(run_solver(rest), Exit::done);
-  const ParticleSet joined = broken.end();
-  ASSERT_EQ(straight.id, joined.id);
-  EXPECT_EQ(straight.position, joined.position);
-  EXPECT_EQ(straight.scalars, joined.scalars);
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(test::case_folder("louvain"),
+                                                 short_run({"model.effective_pressure=laplace"}), "0.05 s", ends));
 }
 
 TEST(ViscousFallback, GoesOnWithShorterStepsAndCountsThem) {

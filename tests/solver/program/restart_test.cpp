@@ -3,22 +3,13 @@
 #include <csignal>
 
 #include "common/error.hpp"
-#include "tests/solver/case_run.hpp"
+#include "tests/solver/program/broken_run.hpp"
 
 namespace thalweg {
 namespace {
 
 const std::vector<std::string> short_louvain = {"numerics.spacing=\"20 mm\"", "output.end=\"0.1 s\"",
                                                 "output.interval=\"0.05 s\"", "compare.times=[]"};
-
-void expect_same(const ParticleSet& a, const ParticleSet& b) {
-  ASSERT_EQ(a.id, b.id);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a.position[i], b.position[i]) << "particle " << a.id[i];
-    ASSERT_EQ(a.velocity[i], b.velocity[i]) << "particle " << a.id[i];
-  }
-  EXPECT_EQ(a.scalars, b.scalars);
-}
 
 /// Options that keep more of a particle than others, and where the run is broken off.
 struct Continued {
@@ -33,23 +24,12 @@ class Restart : public testing::TestWithParam<Continued> {};
 TEST_P(Restart, ContinuesBitForBit) {
   std::vector<std::string> overrides = short_louvain;
   overrides.insert(overrides.end(), GetParam().options.begin(), GetParam().options.end());
-  test::CaseRun straight("straight");
-  straight.fill("louvain", overrides);
-  ASSERT_EQ(run_solver(straight.options()), Exit::done);
-
-  test::CaseRun broken("broken");
-  broken.fill("louvain", overrides);
-  RunOptions half = broken.options();
-  half.until = GetParam().until;
-  ASSERT_EQ(run_solver(half), Exit::done);
-  RunOptions rest = broken.options();
-  rest.restart = broken.folder().checkpoint();
-  ASSERT_EQ(run_solver(rest), Exit::done);
-
-  expect_same(read_particles(straight.folder().checkpoint()), read_particles(broken.folder().checkpoint()));
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(test::case_folder("louvain"), overrides, GetParam().until, ends));
   // The continued run's series and history read as one run's.
-  EXPECT_EQ(read_series(broken.folder().snapshot_series()).size(), 3U);
-  const auto time = CsvTable::read(broken.folder().history()).numbers("time", "s");
+  const RunFolder& broken = ends.broken_run.folder();
+  EXPECT_EQ(read_series(broken.snapshot_series()).size(), 3U);
+  const auto time = CsvTable::read(broken.history()).numbers("time", "s");
   for (std::size_t i = 1; i < time.size(); ++i) EXPECT_GT(time[i], time[i - 1]);
 }
 INSTANTIATE_TEST_SUITE_P(
