@@ -143,15 +143,6 @@ struct LeaveBedPass {
   }
 };
 
-/// True if some water receives grains or is packed; else no water becomes bed.
-template <class Device>
-bool some_receive(Device& on, const Particles<Device>& p, Index none) {
-  const Index* receiver = p.receiver.data();
-  return on.reduce(p.fluid_count, false,
-                   declare<Reads<field::receiver>, Writes<>>([=] HOST_DEVICE(Index i) { return receiver[i] != none; }),
-                   [] HOST_DEVICE(bool a, bool b) { return a || b; });
-}
-
 /// Turns water into bed and bed into water. The lists are old, and have to be made anew next.
 template <int Dim, class Device>
 void change_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
@@ -173,11 +164,8 @@ void change_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
                       drift,
                       list,
                       scene};
-  // Mostly nothing changes; asking costs less than a walk over the neighbours of all water.
-  if (some_receive(on, p, list.count)) {
-    on.for_each(p.fluid_count, declare<typename Become::neighbours, typename Become::reads, typename Become::writes>(
-                                   [=] HOST_DEVICE(Index i) { become(i); }));
-  }
+  on.for_each(p.fluid_count, declare<typename Become::neighbours, typename Become::reads, typename Become::writes>(
+                                 [=] HOST_DEVICE(Index i) { become(i); }));
   on.for_each(p.fluid_count, LeaveBedPass<Dim>{p.record.data(), p.mass.data(), p.type.data(), p.grains.data(),
                                                p.receiver.data(), list.count, scene});
 }
