@@ -17,6 +17,8 @@ bool Case::has_concentration() const {
   return std::any_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.concentration > 0; });
 }
 
+bool Case::has_lasting_current() const { return flow.drive != Drive::off || !inlets.empty(); }
+
 bool Case::has_rough_walls() const {
   return std::any_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.roughness > 0; });
 }

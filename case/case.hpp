@@ -13,10 +13,12 @@
 #include "case/tables/foam.hpp"
 #include "case/tables/gauge.hpp"
 #include "case/tables/gencase.hpp"
+#include "case/tables/inlet.hpp"
 #include "case/tables/line.hpp"
 #include "case/tables/model.hpp"
 #include "case/tables/motion.hpp"
 #include "case/tables/numerics.hpp"
+#include "case/tables/outlet.hpp"
 #include "case/tables/output.hpp"
 #include "case/tables/sediment.hpp"
 #include "case/tables/shape.hpp"
@@ -43,6 +45,8 @@ struct Case {
   Model model;
   SuspendedLoad suspended_load;
   Flow flow;
+  std::vector<Inlet> inlets;
+  std::vector<Outlet> outlets;
   Numerics numerics;
   Output output;
   std::vector<Gauge> gauges;
@@ -54,8 +58,9 @@ struct Case {
   static constexpr auto tables() {
     return std::tuple{&Case::info,           &Case::domain, &Case::shapes,    &Case::motions,
                       &Case::gencase,        &Case::water,  &Case::sediments, &Case::model,
-                      &Case::suspended_load, &Case::flow,   &Case::numerics,  &Case::output,
-                      &Case::gauges,         &Case::lines,  &Case::compare,   &Case::foam};
+                      &Case::suspended_load, &Case::flow,   &Case::inlets,    &Case::outlets,
+                      &Case::numerics,       &Case::output, &Case::gauges,    &Case::lines,
+                      &Case::compare,        &Case::foam};
   }
 
   [[nodiscard]] int dimension() const { return info.dimension; }
@@ -65,6 +70,8 @@ struct Case {
   [[nodiscard]] bool has_sediment() const;
   /// True if some shape is filled with water that carries grains.
   [[nodiscard]] bool has_concentration() const;
+  /// True if a current lasts: driven around a period, or fed by an inlet.
+  [[nodiscard]] bool has_lasting_current() const;
   /// True if some wall's shape has a roughness.
   [[nodiscard]] bool has_rough_walls() const;
   /// The one sediment of the scene; throws InputError when there is none or more than one.

@@ -110,6 +110,12 @@ void check_flow(const Case& scene) {
                    ": the mesh model drives no flow ([flow]); run the case without it: thalweg run CASE --no-foam");
 }
 
+void check_openings(const Case& scene) {
+  if (scene.inlets.empty() && scene.outlets.empty()) return;
+  throw InputError(place(scene) +
+                   ": the mesh model has no inlets and outlets; run the case without it: thalweg run CASE --no-foam");
+}
+
 void check_resolution(const Case& scene, const MeshPlan& plan) {
   for (const std::size_t axis : {0U, 1U, 2U}) {
     if (plan.faces[2 * axis] == Face::unused || plan.cells[axis] >= 2) continue;
@@ -137,6 +143,7 @@ double cell_size(const Case& scene) { return scene.foam.cell > 0 ? scene.foam.ce
 MeshPlan plan_mesh(const Case& scene) {
   const Shape& container = find_container(scene);
   check_flow(scene);
+  check_openings(scene);
   check_gravity(scene);
 
   MeshPlan plan;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "case/models/openings.hpp"
 #include "case/reader/case_file.hpp"
 #include "case/scales.hpp"
 #include "common/error.hpp"
@@ -16,6 +17,7 @@
 #include "gencase/filling.hpp"
 #include "gencase/flow_skin.hpp"
 #include "gencase/hydrostatic.hpp"
+#include "gencase/openings.hpp"
 #include "gencase/places.hpp"
 #include "gencase/pore_water.hpp"
 #include "gencase/relaxation.hpp"
@@ -249,12 +251,17 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
 
   const FlowRoom room = flow_room(shapes);
   Filling filling = claim_nodes(shapes, lattice, progress);
+  clear_openings(scene, shapes, filling, notes);
   const Skins skins(scene, shapes, around(scene, lattice), notes);
   settle_walls(shapes, skins.of_shape, filling, progress);
   check_filling(scene, shapes, room, filling);
   warn_of_filling(scene, shapes, filling, notes.warn);
   warn_of_coverage(scene, shapes, notes.warn);
-  report_closure(scene, shapes, room, filling, notes);
+  if (models::OpenBoundaries::is_on(scene)) {
+    notes.say("closure: not searched, as water enters or leaves on purpose");
+  } else {
+    report_closure(scene, shapes, room, filling, notes);
+  }
   progress.finish();
 
   const auto particles = static_cast<double>(filling.particles);

@@ -62,15 +62,15 @@ class FlowStarter {
     const Flow& flow = scene_.flow;
     switch (flow.drive) {
       case Drive::off:
-        return 0;
+        break;
       case Drive::slope:
         return std::sqrt(scene_.domain.gravity.norm() * flow.slope * depth);
       case Drive::discharge:
-        return friction_velocity_of_current(flow.discharge / depth, depth, viscosity(), roughness);
       case Drive::velocity:
-        return friction_velocity_of_current(flow.velocity, depth, viscosity(), roughness);
+        break;
     }
-    return 0;
+    const double mean = flow.discharge > 0 ? flow.discharge / depth : flow.velocity;
+    return friction_velocity_of_current(mean, depth, viscosity(), roughness);
   }
 
   [[nodiscard]] bool is_started(Label label) const {
@@ -103,8 +103,7 @@ void check_seam(const Case& scene, const ParticleSet& particles) {
 
 void start_flow(const Case& scene, const std::vector<PlacedShape>& shapes, const Filling& filling,
                 ParticleSet& particles) {
-  if (scene.flow.drive == Drive::off) return;
-  check_seam(scene, particles);
+  if (scene.flow.drive != Drive::off) check_seam(scene, particles);
   if (scene.flow.start == FlowStart::rest) return;
   const FlowStarter starter(scene, shapes, particles);
   const Lattice& lattice = filling.lattice;

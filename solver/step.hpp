@@ -56,7 +56,7 @@ std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& 
     work.squared_drift = on.read(work.state.data()).squared_drift;
   }
   if (!p.listed_at.empty() && !must_rebuild_lists(scene, *work.squared_drift)) return {};
-  if (!p.listed_at.empty()) AllModels::before_lists(on, p, scene);
+  if (!p.listed_at.empty()) AllModels::before_lists(on, p, scene, work);
   auto excluded = rebuild_lists(on, p, scene, work.population);
   work.new_lists = true;
   work.squared_drift = 0;

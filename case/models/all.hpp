@@ -5,6 +5,7 @@
 #include "case/models/driven_flow.hpp"
 #include "case/models/mixture.hpp"
 #include "case/models/moving_walls.hpp"
+#include "case/models/openings.hpp"
 #include "case/models/pore_pressure.hpp"
 #include "case/models/rest.hpp"
 #include "case/models/sediment_motion.hpp"
@@ -17,8 +18,9 @@
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, WallStress,
-                       MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater>;
+using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow,
+                       OpenBoundaries, WallStress, MixingLength, SubParticleStress, ParticleShifting,
+                       SuspendedLoadOfWater>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -6,6 +6,7 @@ GivenWords given_words(const toml::table& root, const std::filesystem::path& fol
   GivenWords given{folder, origins.resolved, {}};
   for (const auto& [table_name, node] : root) {
     const toml::table* table = node.as_table();
+    if (table_name.str() == "inlet") given.words["inlet"] = {"inlet", where_is(node, origins.file)};
     if (table == nullptr) continue;
     for (const auto& [key, value] : *table) {
       std::string text;

@@ -34,20 +34,26 @@ void check_start(const Flow& flow, const Case& whole, const CheckContext& at) {
 }  // namespace
 
 bool Flow::uses_key(std::string_view key, int) const {
-  if (key == "drive") return true;
-  if (drive == Drive::off) return false;
-  if (key == "slope" || key == "discharge" || key == "velocity") return key == key_of(drive);
-  return key != "start_of" || start != FlowStart::rest;
+  if (key == "drive" || key == "start") return true;
+  if (key == "start_of") return start != FlowStart::rest;
+  if (drive != Drive::off) return key == "along" || key == key_of(drive);
+  if (start == FlowStart::rest || key == "slope") return false;
+  // Without a drive the start's own: one of the two numbers.
+  return key == "along" || (key == "discharge" ? discharge > 0 || velocity == 0 : velocity > 0);
 }
 
 void Flow::check(const Case& whole, const CheckContext& at) const {
   check_unused_keys(at, *this, [&](const std::string& key) {
-    const bool of_start = drive != Drive::off && key == "start_of";
+    const bool of_start = key == "start_of" || (drive == Drive::off && start == FlowStart::rest && key != "slope");
     return of_start ? "with start = \"rest\"" : fmt::format("with drive = \"{}\"", word_for(drive));
   });
-  if (drive == Drive::off) return;
-  const std::string number = key_of(drive);
-  const double value = drive == Drive::slope ? slope : drive == Drive::discharge ? discharge : velocity;
+  if (drive == Drive::off && start == FlowStart::rest) return;
+  if (drive == Drive::off && !(discharge + velocity > 0)) {
+    at.reject("flow.start", fmt::format("start = \"{}\" without a drive needs the current's number", word_for(start)),
+              "give flow.discharge or flow.velocity");
+  }
+  const std::string number = drive == Drive::off ? (discharge > 0 ? "discharge" : "velocity") : key_of(drive);
+  const double value = drive == Drive::slope ? slope : number == "discharge" ? discharge : velocity;
   if (!(value > 0)) {
     at.reject("flow.drive", fmt::format("drive = \"{}\" needs flow.{} above 0", number, number),
               fmt::format("give flow.{}", number));

@@ -20,7 +20,12 @@ struct GivenWords {
 
   std::filesystem::path folder;       // of the case
   bool resolved = false;              // the file is a case.resolved.toml
-  std::map<std::string, Word> words;  // "model.implementation" …
+  std::map<std::string, Word> words;  // "model.implementation" …; "inlet" if there is one
+
+  /// True if a current lasts: driven around a period, or fed by an inlet (Case::has_lasting_current).
+  [[nodiscard]] bool has_lasting_current() const {
+    return text("flow.drive", "off") != "off" || words.contains("inlet");
+  }
 
   /// The place of the key's text; empty if it is not given.
   [[nodiscard]] std::string where(const std::string& key) const {

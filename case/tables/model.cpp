@@ -14,7 +14,7 @@ void Model::set_defaults(const GivenWords& given) {
   if (given.choice<SeepageModel>("model.seepage") == SeepageModel::mixture) {
     effective_pressure = EffectivePressure::grains;
   }
-  if (given.text("flow.drive", "off") != "off") {
+  if (given.has_lasting_current()) {
     turbulence = Turbulence::mixing_length;
     wall_friction = WallFriction::smooth;
   }

@@ -4,7 +4,6 @@
 
 #include "case/case.hpp"
 #include "case/check_context.hpp"
-#include "case/models/driven_flow.hpp"
 #include "case/tables/given_words.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
@@ -47,8 +46,7 @@ void Numerics::set_defaults(const GivenWords& given) {
   if (const auto level = given.choice<Accuracy>("numerics.accuracy")) *this = numerics_at(*level);
   const bool has_sediment = given.text("model.sediment", "off") != "off";
   const bool in_space = given.text("case.dimension", "2") != "2";
-  const bool is_driven = given.text("flow.drive", "off") != "off";
-  if ((!has_sediment && !in_space) || is_driven) {
+  if ((!has_sediment && !in_space) || given.has_lasting_current()) {
     smoothing_ratio = smoothing_ratio_of_plane_water;
     // A narrower kernel that the case asks for has no switch, and all of the viscosity would act.
     const double ratio = given.number("numerics.smoothing_ratio").value_or(smoothing_ratio);
@@ -58,7 +56,7 @@ void Numerics::set_defaults(const GivenWords& given) {
 
 void Numerics::complete(const Case& whole) {
   if (shifting != Shifting::automatic) return;
-  if (models::DrivenFlow::is_on(whole)) {
+  if (whole.has_lasting_current()) {
     shifting = Shifting::on;
     return;
   }

@@ -7,6 +7,7 @@
 #include "solver/models/mixing_length/model.hpp"
 #include "solver/models/moving_walls/model.hpp"
 #include "solver/models/no_slip/model.hpp"
+#include "solver/models/openings/model.hpp"
 #include "solver/models/pore_pressure/model.hpp"
 #include "solver/models/rest/model.hpp"
 #include "solver/models/seepage/model.hpp"
@@ -34,6 +35,6 @@ namespace thalweg {
 /// The list. Within a stage models run in this order.
 using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
                             SubParticleModel, StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel,
-                            ShiftingModel, MixingLengthModel, CurrentModel>;
+                            ShiftingModel, MixingLengthModel, CurrentModel, OpeningsModel>;
 
 }  // namespace thalweg

@@ -181,11 +181,11 @@ struct ModelList {
     if (!(taken<Stage, Models>(step) || ...)) step.time(Stage::heading, water);
   }
 
-  /// Calls M::before_lists(on, p, scene) of every model that is on and offers it: before the lists are made anew, where
-  /// particles may become of another kind. The old lists still stand.
-  template <class Device, class Particles, class Scene>
-  static void before_lists(Device& on, Particles& p, const Scene& scene) {
-    (one_before_lists<Models>(on, p, scene), ...);
+  /// Calls M::before_lists(on, p, scene, work) of every model that is on and offers it: before the lists are made anew,
+  /// where particles may become of another kind, and are born and die. The old lists still stand.
+  template <class Device, class Particles, class Scene, class Workspace>
+  static void before_lists(Device& on, Particles& p, const Scene& scene, Workspace& work) {
+    (one_before_lists<Models>(on, p, scene, work), ...);
   }
 
   /// Calls visit.template operator()<M>() for every model.
@@ -218,10 +218,10 @@ struct ModelList {
     }
   }
 
-  template <class M, class Device, class Particles, class Scene>
-  static void one_before_lists(Device& on, Particles& p, const Scene& scene) {
-    if constexpr (requires { M::before_lists(on, p, scene); }) {
-      if (M::is_on(scene)) M::before_lists(on, p, scene);
+  template <class M, class Device, class Particles, class Scene, class Workspace>
+  static void one_before_lists(Device& on, Particles& p, const Scene& scene, Workspace& work) {
+    if constexpr (requires { M::before_lists(on, p, scene, work); }) {
+      if (M::is_on(scene)) M::before_lists(on, p, scene, work);
     }
   }
 

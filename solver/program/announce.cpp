@@ -60,6 +60,22 @@ void announce_flow(const Case& c) {
   }
 }
 
+/// Tells where water enters and leaves.
+void announce_openings(const Case& c) {
+  const auto announce_one = [&](const char* table, const Opening& opening, const std::string& what) {
+    spdlog::info("{} {}: {}; history.csv has its columns {}_...", table, opening.name, what, opening.name);
+  };
+  for (const Inlet& inlet : c.inlets) {
+    const double area = inlet.area(c.info.dimension);
+    const double rate = inlet.flow_rate_at(0, area, c.info.dimension);
+    announce_one("inlet", inlet,
+                 fmt::format("{:.4g} {} at the start, profile {}, surface {}", rate,
+                             c.info.dimension == 2 ? "m^2/s" : "m^3/s", word_for(inlet.profile),
+                             word_for(inlet.surface)));
+  }
+  for (const Outlet& outlet : c.outlets) announce_one("outlet", outlet, word_for(outlet.kind));
+}
+
 }  // namespace
 
 void announce_choices(const Case& of) {
@@ -69,6 +85,7 @@ void announce_choices(const Case& of) {
   announce("model.wall_friction", of.model.wall_friction, Model{}.wall_friction);
   announce("numerics.shifting", of.numerics.shifting, Shifting::off);
   announce_flow(of);
+  announce_openings(of);
   if (of.has_sediment()) announce_sediment(of);
   announce_seepage(of);
   for (const std::string& warning : warnings_of_coarse_grains(of)) spdlog::warn(warning);

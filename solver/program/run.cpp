@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "case/models/suspended_load.hpp"
 #include "case/reader/case_file.hpp"
 #include "case/reader/differences.hpp"
 #include "common/io/run_results.hpp"
@@ -16,6 +17,7 @@
 #include "common/warnings.hpp"
 #include "common/whole_file.hpp"
 #include "solver/program/announce.hpp"
+#include "solver/program/balance.hpp"
 #include "solver/program/diagnosis.hpp"
 #include "solver/program/disk.hpp"
 #include "solver/program/progress.hpp"
@@ -68,7 +70,7 @@ class Run {
   Exit to_the_end(bool continued) {
     schedule_output();
     output_.open(continued ? std::make_optional(clock_.time) : std::nullopt,
-                 case_.gauges.empty() ? std::string() : gauge_heading_line(case_), case_.flow.drive != Drive::off);
+                 case_.gauges.empty() ? std::string() : gauge_heading_line(case_), history_columns(case_));
     since_start_ = {};
     since_checkpoint_ = {};
     if (clock_.step == 0 && !output_.has_snapshots()) {
@@ -133,7 +135,7 @@ class Run {
     warn_of_fallbacks(report);
     simulation_->timing().time("output", [&] {
       if (clock_.step == 1 || clock_.time >= next_history_) {
-        output_.history(simulation_->totals(), simulation_->ledger(), report, clock_, counts_);
+        write_history(report);
         next_history_ = (std::floor(clock_.time / history_interval_) + 1) * history_interval_;
       }
       if (!case_.gauges.empty() && clock_.time >= next_gauges_ - gauge_rounding * gauge_interval_) {
@@ -144,12 +146,26 @@ class Run {
     });
   }
 
+  void write_history(const StepReport& report) {
+    const Totals totals = simulation_->totals();
+    const MassLedger ledger = simulation_->ledger();
+    const std::vector<OpeningFlux> openings = simulation_->openings();
+    output_.history(totals, ledger, openings, report, clock_, counts_);
+    try {
+      balance_.check(totals, ledger, openings, clock_, models::SuspendedLoadOfWater::is_on(case_));
+    } catch (const RunError&) {
+      write_checkpoint();
+      finish();
+      throw;
+    }
+  }
+
   void count(const StepReport& report) {
     clock_.time += report.dt;
     ++clock_.step;
     ++counts_.steps;
     ++steps_now_;
-    counts_.particle_steps += static_cast<double>(initial_fluid_ - counts_.excluded);
+    counts_.particle_steps += static_cast<double>(report.fluid);
     counts_.viscous_iterations += report.viscous.iterations;
     counts_.pressure_sweeps += report.pressure_sweeps;
   }
@@ -262,6 +278,7 @@ class Run {
   double history_interval_ = 0;
   Progress progress_;
   RunCounts counts_;
+  MassBalance balance_;
   std::int64_t steps_now_ = 0;  // since the last restart
   std::int64_t initial_fluid_ = 0;
   bool told_of_cap_ = false;

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 
+#include "case/models/suspended_load.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/run_results.hpp"
@@ -22,8 +24,21 @@ constexpr const char* history_header =
     "viscosity_capped [-],pressure_sweeps [-],resting [-],bed_load [-],suspended [-],mass_in [kg],mass_out [kg],"
     "mass_lost [kg],grain_mass [kg],suspended_mass [kg]";
 constexpr const char* history_of_current = ",bulk_velocity [m/s],drive [m/s^2]";
+/// The columns of an opening, after its name.
+constexpr const char* history_of_opening = ",{0}_water [kg],{0}_sediment [kg],{0}_level [m]";
+constexpr const char* history_of_grains = ",{0}_grains [kg]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
+
+std::string history_heading(const HistoryColumns& columns) {
+  std::string heading = history_header;
+  if (columns.current) heading += history_of_current;
+  for (const std::string& name : columns.openings) {
+    heading += fmt::format(fmt::runtime(history_of_opening), name);
+    if (columns.grains) heading += fmt::format(fmt::runtime(history_of_grains), name);
+  }
+  return heading;
+}
 
 /// The number in the name of a snapshot, "s00012.vtp"; -1 for other names.
 int number_of_snapshot(const std::filesystem::path& file) {
@@ -35,9 +50,19 @@ int number_of_snapshot(const std::filesystem::path& file) {
 
 }  // namespace
 
-void RunOutput::open(std::optional<double> continued_at, const std::string& gauge_heading, bool has_current) {
+HistoryColumns history_columns(const Case& of) {
+  HistoryColumns columns;
+  columns.current = of.flow.drive != Drive::off;
+  columns.grains = models::SuspendedLoadOfWater::is_on(of);
+  for (const Inlet& inlet : of.inlets) columns.openings.push_back(inlet.name);
+  for (const Outlet& outlet : of.outlets) columns.openings.push_back(outlet.name);
+  return columns;
+}
+
+void RunOutput::open(std::optional<double> continued_at, const std::string& gauge_heading,
+                     const HistoryColumns& columns) {
   continued_at_ = continued_at;
-  has_current_ = has_current;
+  columns_ = columns;
   std::error_code failure;
   std::filesystem::create_directories(folder_.snapshots(), failure);
   if (failure) throw RunError(folder_.snapshots().string() + ": cannot be made: " + failure.message());
@@ -48,8 +73,7 @@ void RunOutput::open(std::optional<double> continued_at, const std::string& gaug
     }
     if (!series_.empty()) write_series(folder_.snapshot_series(), series_, {.make_folders = false});
   }
-  const std::string columns = std::string(history_header) + (has_current ? history_of_current : "");
-  history_.emplace(folder_.history(), columns, continued_at);
+  history_.emplace(folder_.history(), history_heading(columns), continued_at);
   if (!gauge_heading.empty()) gauges_.emplace(folder_.gauges(), gauge_heading, continued_at);
   if (continued_at && std::filesystem::exists(folder_.excluded())) {
     excluded_.emplace(folder_.excluded(), excluded_header, continued_at);
@@ -84,8 +108,8 @@ void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
       });
 }
 
-void RunOutput::history(const Totals& t, const MassLedger& ledger, const StepReport& report, const RunClock& clock,
-                        const RunCounts& counts) {
+void RunOutput::history(const Totals& t, const MassLedger& ledger, const std::vector<OpeningFlux>& openings,
+                        const StepReport& report, const RunClock& clock, const RunCounts& counts) {
   const double of_sediment = static_cast<double>(std::max<std::int64_t>(1, t.sediment));
   const auto share = [&](std::int64_t n) { return static_cast<double>(n) / of_sediment; };
   std::string row = fmt::format(
@@ -95,7 +119,12 @@ void RunOutput::history(const Totals& t, const MassLedger& ledger, const StepRep
       counts.viscous_retries, report.viscous.capped, report.pressure_sweeps);
   row += fmt::format("{:.4g},{:.4g},{:.4g},{:.9g},{:.9g},{:.9g},{:.12g},{:.9g}", share(t.resting), share(t.bed_load),
                      share(t.suspended), ledger.in, ledger.out, ledger.lost, t.grain_mass, t.suspended_mass);
-  if (has_current_) row += fmt::format(",{:.9g},{:.9g}", t.bulk_velocity, t.drive);
+  if (columns_.current) row += fmt::format(",{:.9g},{:.9g}", t.bulk_velocity, t.drive);
+  for (const OpeningFlux& opening : openings) {
+    row += fmt::format(",{:.9g},{:.9g},", opening.water, opening.sediment);
+    if (!std::isnan(opening.level)) row += fmt::format("{:.6g}", opening.level);
+    if (columns_.grains) row += fmt::format(",{:.9g}", opening.grains);
+  }
   lock_.require_folder();
   history_->add(row);
 }

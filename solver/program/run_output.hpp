@@ -17,6 +17,16 @@
 
 namespace thalweg {
 
+/// What history.csv has beside the columns of every run.
+struct HistoryColumns {
+  bool current = false;               // velocity and drive of a driven flow
+  std::vector<std::string> openings;  // names of inlets, then outlets
+  bool grains = false;                // that water carries through them
+};
+
+/// Those of a case.
+HistoryColumns history_columns(const Case& of);
+
 /// Writes everything a run leaves in its folder; each file is whole at any moment, and on the disk before a later file
 /// that builds on it. Particles are taken aside for a snapshot at once, and made into a file while the run goes on; the
 /// next file that is written from particles waits for it.
@@ -28,12 +38,13 @@ class RunOutput {
 
   /// Opens the tables and the series; a benchmark does not. `continued_at` [s]: rows and snapshots up to that time are
   /// kept; without it the folder holds no results. `gauge_heading` is the heading of gauges.csv; without one there is no
-  /// such file. `has_current`: history.csv has columns for a driven flow.
-  void open(std::optional<double> continued_at, const std::string& gauge_heading, bool has_current);
+  /// such file. `columns`: what history.csv has beside those of every run.
+  void open(std::optional<double> continued_at, const std::string& gauge_heading,
+            const HistoryColumns& columns);
 
   void snapshot(Simulation& simulation, const RunClock& clock);
-  void history(const Totals& totals, const MassLedger& ledger, const StepReport& report, const RunClock& clock,
-               const RunCounts& counts);
+  void history(const Totals& totals, const MassLedger& ledger, const std::vector<OpeningFlux>& openings,
+               const StepReport& report, const RunClock& clock, const RunCounts& counts);
   /// Reads the case's gauges off the particles as they are; returns the row as written.
   GaugeRow gauges(Simulation& simulation, const Case& of, const RunClock& clock);
   /// Rows and snapshots up to now are on the disk before the checkpoint that continues them.
@@ -59,7 +70,7 @@ class RunOutput {
   std::vector<SeriesEntry> series_;
   int next_snapshot_ = 0;  // number in its name
   std::optional<double> continued_at_;
-  bool has_current_ = false;
+  HistoryColumns columns_;
   std::optional<RunTable> history_;   // none in a benchmark
   std::optional<RunTable> excluded_;  // none before the first particle is excluded
   std::optional<RunTable> gauges_;

@@ -20,6 +20,7 @@ struct SimulationInput {
   bool profile = false;                    // wait for the device after every heading of the timing
   std::vector<WallMotion> motions = {};    // of the case (models/moving_walls/make_motions.hpp)
   bool double_pair_sums = false;           // numerics.precision
+  std::shared_ptr<Openings> openings = {};  // of the case (models/openings/make_openings.hpp); null without any
 };
 
 /// Makes a simulation on the device `backend` names, "cuda" or "openmp", or with "auto" on the first GPU if there is

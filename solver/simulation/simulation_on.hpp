@@ -24,7 +24,8 @@ template <int Dim, Device OnDevice>
 class SimulationOn final : public Simulation {
  public:
   SimulationOn(OnDevice device, std::string name, const Scene<Dim>& scene, const ParticleSet& from,
-               bool profile = false, const std::vector<WallMotion>& motions = {})
+               bool profile = false, const std::vector<WallMotion>& motions = {},
+               const std::shared_ptr<Openings>& openings = nullptr)
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
     if (profile) timing_.wait_with([this] { on_.finish(); });
     load_particles(on_, p_, scene_, from);
@@ -37,6 +38,7 @@ class SimulationOn final : public Simulation {
     if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
     if (scene_.mixing_length) bring_eddy_viscosity(on_, p_, scene_);
     if (scene_.current.on) load_control(on_, work_, scene_, from);
+    if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) restore_lists(on_, p_, scene_, listed->second);
   }
@@ -55,6 +57,7 @@ class SimulationOn final : public Simulation {
     report.dt = r.step.dt;
     report.limiter = r.step.limiter;
     report.largest_speed = std::sqrt(double(r.step.extremes.speed2));
+    report.fluid = p_.fluid_count;
     report.viscous = r.viscous;
     report.pressure_sweeps = r.pressure_sweeps;
     report.pressure_settled = r.pressure_sweeps < laplace::most_sweeps;
@@ -76,6 +79,9 @@ class SimulationOn final : public Simulation {
     return sums;
   }
   MassLedger ledger() const override { return work_.population.ledger(); }
+  std::vector<OpeningFlux> openings() const override {
+    return work_.openings ? work_.openings->fluxes() : std::vector<OpeningFlux>();
+  }
   const Timing& timing() const override { return timing_; }
   Timing& timing() override { return timing_; }
 
@@ -125,6 +131,7 @@ class SimulationOn final : public Simulation {
     add_full_state(on_, p_, scene_, out);
     work_.population.add_to(out);
     if (scene_.current.on) add_control(on_.read(work_.control.data()), out);
+    if (scene_.has_openings) add_openings(on_, work_, out);
     return out;
   }
 

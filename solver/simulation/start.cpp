@@ -1,6 +1,7 @@
 #include "solver/simulation/start.hpp"
 
 #include "solver/models/moving_walls/make_motions.hpp"
+#include "solver/models/openings/make_openings.hpp"
 #include "solver/simulation/make_scene.hpp"
 
 namespace thalweg {
@@ -13,6 +14,7 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   input.threads = options.threads;
   input.profile = options.profile;
   input.motions = make_motions(of);
+  input.openings = make_openings(of);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;
   return make_simulation(input, options.backend, options.instruction_set);
 }

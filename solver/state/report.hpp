@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "solver/state/step_state.hpp"
@@ -36,6 +37,7 @@ struct StepReport {
   double dt = 0;  // [s]
   Limiter limiter = Limiter::sound;
   double largest_speed = 0;  // [m/s] before the step
+  std::int64_t fluid = 0;    // particles of the fluid
   ViscousResult viscous;
   int pressure_sweeps = 0;       // of the effective pressure from Laplace's equation
   bool pressure_settled = true;  // false: the most sweeps allowed were not enough
@@ -48,6 +50,16 @@ struct MassLedger {
   double in = 0;    // of particles born
   double out = 0;   // of particles that died where they were meant to
   double lost = 0;  // of particles excluded: they left the domain where nothing was meant to
+};
+
+/// Mass that came in through an opening of the scene, less what went out [kg]; per metre of width in 2-D.
+struct OpeningFlux {
+  std::string name;
+  double water = 0;        // with the dead particles of an inlet's zone, and without the grains that it carries
+  double sediment = 0;     // parcels with the water in their pores
+  double grains = 0;       // that water carries
+  double level = 0;        // [m] z of the water's surface in the scene next to it; NaN where it does not stand upright
+  bool overflows = false;  // the level stands above the opening
 };
 
 /// Sums over the fluid; 2-D: per metre of width.

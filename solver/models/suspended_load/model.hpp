@@ -28,8 +28,8 @@ struct SuspendedLoadModel {
   static constexpr bool is_on(const Scene& scene) {
     return scene.suspended_load.on;
   }
-  template <class Device, class Scene>
-  static void before_lists(Device& on, Particles<Device>& p, const Scene& scene) {
+  template <class Device, class Scene, class Workspace>
+  static void before_lists(Device& on, Particles<Device>& p, const Scene& scene, Workspace&) {
     change_bed(on, p, scene);
   }
   template <class C>

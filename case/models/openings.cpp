@@ -1,0 +1,65 @@
+#include "case/models/openings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/case.hpp"
+#include "case/models/driven_flow.hpp"
+#include "case/models/mixture.hpp"
+
+namespace thalweg {
+
+double zone_length(const Case& of) {
+  return 2 * of.smoothing_length() * (1 + of.numerics.list_skin) + 2 * of.numerics.spacing;
+}
+
+namespace {
+
+/// The largest flow rate of an inlet [m^3/s] (2-D: [m^2/s]).
+double largest_flow_rate(const Inlet& inlet, const Case& c) {
+  const double area = inlet.area(c.info.dimension);
+  double largest = inlet.flow_rate_at(0, area, c.info.dimension);
+  for (const double time : inlet.times) {
+    largest = std::max(largest, inlet.flow_rate_at(time, area, c.info.dimension));
+  }
+  return largest;
+}
+
+}  // namespace
+
+bool is_supercritical(const Outlet& outlet, const Case& c) {
+  if (c.outlets.size() != 1 || c.inlets.empty()) return false;
+  if (outlet.kind != OutletKind::level || !outlet.file.empty()) return false;
+  double entering = 0;
+  for (const Inlet& inlet : c.inlets) {
+    if (inlet.surface == InletSurface::follow && !inlet.velocities.empty()) return false;
+    entering += largest_flow_rate(inlet, c);
+  }
+  const double lowest = outlet.levels.empty() ? outlet.level : *std::min_element(outlet.levels.begin(), outlet.levels.end());
+  const double depth = lowest - outlet.lower_edge();
+  const double velocity = entering / (depth * outlet.extent_across(c.info.dimension));
+  return depth > 0 && velocity > std::sqrt(c.domain.gravity.norm() * depth);
+}
+
+namespace models {
+namespace {
+
+bool has_no_water(const Case& c) {
+  return c.inlets.empty() &&
+         std::none_of(c.shapes.begin(), c.shapes.end(), [](const Shape& s) { return s.role == ShapeRole::water; });
+}
+
+}  // namespace
+
+bool OpenBoundaries::is_on(const Case& whole) { return !whole.inlets.empty() || !whole.outlets.empty(); }
+
+std::vector<Rule> OpenBoundaries::rules() {
+  return {{Mixture::is_on, "model.seepage", "the two sets of particles of a mixture cannot enter or leave",
+           "write seepage = \"off\", or remove the inlets and outlets"},
+          {DrivenFlow::is_on, "flow.drive", "a flow that is driven around a period has inlets or outlets too",
+           "remove flow.drive, or the inlets and outlets"},
+          {has_no_water, "case", "outlets and neither water nor an inlet", "give a shape the role \"water\""}};
+}
+
+}  // namespace models
+}  // namespace thalweg

@@ -1,0 +1,193 @@
+#include "case/tables/inlet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/case.hpp"
+#include "case/tables/common_checks.hpp"
+#include "case/tables/time_table.hpp"
+#include "common/csv.hpp"
+#include "common/error.hpp"
+#include "physics/water/log_profile.hpp"
+
+namespace thalweg {
+namespace {
+
+/// The ways to say how much enters, each steady or as a table.
+constexpr const char* steady_keys[] = {"velocity", "discharge", "flow_rate"};
+constexpr const char* table_keys[] = {"velocities", "discharges", "flow_rates"};
+
+void check_amount(const Inlet& inlet, const CheckContext& at) {
+  int given = inlet.file.empty() ? 0 : 1;
+  for (const char* key : steady_keys) given += at.given(key) ? 1 : 0;
+  for (const char* key : table_keys) given += at.given(key) ? 1 : 0;
+  if (given != 1) {
+    at.reject(at.path(),
+              given == 0 ? at.path() + " does not say how much enters"
+                         : at.path() + " says more than once how much enters",
+              at.dimension() == 3 ? "give one of velocity, discharge, flow_rate, their tables, or a file"
+                                  : "give one of velocity, discharge, their tables, or a file");
+  }
+  for (const char* key : steady_keys) {
+    const double value = inlet.velocity + inlet.discharge + inlet.flow_rate;
+    if (at.given(key) && !(value > 0)) {
+      at.reject(at.key(key), at.key(key) + " is 0: nothing enters", "give it a value, or remove the inlet");
+    }
+  }
+  if (inlet.is_round() && (inlet.discharge > 0 || !inlet.discharges.empty())) {
+    at.reject(at.key("diameter"), at.path() + " is round and has a discharge per width",
+              "give its velocity or flow_rate");
+  }
+  if (!inlet.velocities.empty()) inlet.check_times(at, "velocities", inlet.velocities);
+  if (!inlet.discharges.empty()) inlet.check_times(at, "discharges", inlet.discharges);
+  if (!inlet.flow_rates.empty()) inlet.check_times(at, "flow_rates", inlet.flow_rates);
+}
+
+void check_profile(const Inlet& inlet, const Case& whole, const CheckContext& at) {
+  switch (inlet.profile) {
+    case InletProfile::uniform:
+      return;
+    case InletProfile::log_law:
+      if (std::abs(inlet.axes().flow.z()) > 1e-6) {
+        at.reject(at.key("profile"), at.path() + " has a logarithmic profile and does not stand upright",
+                  "write profile = \"uniform\", or let the direction be horizontal");
+      }
+      if (!(whole.water.viscosity > 0)) {
+        at.reject(at.key("profile"), at.path() + " has a logarithmic profile, which needs the water's viscosity",
+                  "give materials.water.viscosity");
+      }
+      return;
+    case InletProfile::table:
+      if (inlet.heights.size() == inlet.speeds.size() && inlet.speeds.size() >= 2) break;
+      at.reject(at.key("speeds"),
+                fmt::format("{} has {} heights and {} speeds", at.path(), inlet.heights.size(), inlet.speeds.size()),
+                "give as many of both, two at least");
+  }
+  for (std::size_t i = 1; i < inlet.heights.size(); ++i) {
+    if (inlet.heights[i] > inlet.heights[i - 1]) continue;
+    at.reject(at.key("heights"), at.key("heights") + " do not increase", "sort them");
+  }
+  if (*std::max_element(inlet.speeds.begin(), inlet.speeds.end()) > 0) return;
+  at.reject(at.key("speeds"), at.key("speeds") + " are all 0", "give the speeds of the water");
+}
+
+bool has_table(const Inlet& inlet) {
+  return !inlet.velocities.empty() || !inlet.discharges.empty() || !inlet.flow_rates.empty() ||
+         !inlet.levels.empty();
+}
+
+/// Ends the message "KEY means nothing ...".
+std::string reason_against(const Inlet& inlet, const std::string& key, const CheckContext& at) {
+  const bool of_space = key == "width" || key == "diameter" || key == "flow_rate" || key == "flow_rates";
+  if (of_space && at.dimension() == 2) return "in the plane";
+  if (key == "times") return "without a table of velocities, discharges, flow_rates or levels";
+  if (key == "roughness" || key == "heights" || key == "speeds") {
+    return fmt::format("with profile = \"{}\"", word_for(inlet.profile));
+  }
+  if (key == "level" && inlet.surface == InletSurface::level) return "beside levels";
+  if (key == "level" || key == "levels") return fmt::format("with surface = \"{}\"", word_for(inlet.surface));
+  return "as it is empty or 0";
+}
+
+}  // namespace
+
+bool Inlet::uses_key(std::string_view key, int dimension) const {
+  if (is_place(key)) return uses_place(key, dimension);
+  if ((key == "flow_rate" || key == "flow_rates") && dimension == 2) return false;
+  // Of the ways to say how much enters the one that does; all while none does, for the message that one is missing.
+  const bool lacks_amount = velocity + discharge + flow_rate == 0 && velocities.empty() && discharges.empty() &&
+                            flow_rates.empty() && file.empty();
+  if (key == "velocity") return velocity > 0 || lacks_amount;
+  if (key == "discharge") return discharge > 0 || lacks_amount;
+  if (key == "flow_rate") return flow_rate > 0 || lacks_amount;
+  if (key == "velocities") return !velocities.empty();
+  if (key == "discharges") return !discharges.empty();
+  if (key == "flow_rates") return !flow_rates.empty();
+  if (key == "file") return !file.empty();
+  if (key == "level") return surface == InletSurface::level && levels.empty();
+  if (key == "levels") return surface == InletSurface::level && !levels.empty();
+  if (key == "roughness") return profile == InletProfile::log_law;
+  if (key == "heights" || key == "speeds") return profile == InletProfile::table;
+  return key != "times" || has_table(*this);  // the rest: surface, profile
+}
+
+void Inlet::check(const Case& whole, const CheckContext& at_table) const {
+  check_unused_keys(at_table, *this, [&](const std::string& key) { return reason_against(*this, key, at_table); });
+  check_amount(*this, at_table);
+  check_place(whole, at_table);
+  if (!levels.empty()) check_times(at_table, "levels", levels);
+  switch (surface) {
+    case InletSurface::full:
+      break;
+    case InletSurface::level:
+      if (!at_table.given("level") && levels.empty() && file.empty()) {
+        at_table.reject(at_table.path(), at_table.path() + " does not say where its water stands",
+                        "give level, or levels at times");
+      }
+      if (file.empty() || at_table.given("level")) check_levels(whole, at_table);
+      break;
+    case InletSurface::follow: {
+      Inlet standing = *this;
+      standing.level = standing.upper_edge();
+      standing.levels.clear();
+      standing.check_levels(whole, at_table);
+    }
+  }
+  check_profile(*this, whole, at_table);
+}
+
+void Inlet::read_files(const std::filesystem::path& folder) {
+  if (file.empty()) return;
+  const CsvTable table = CsvTable::read(folder / file);
+  times = table.numbers("time", "s");
+  if (table.has("flow_rate")) {
+    flow_rates = table.numbers("flow_rate", "m^3/s");
+    check_time_rows(table, times, flow_rates);
+  } else if (table.has("discharge")) {
+    discharges = table.numbers("discharge", "m^2/s");
+    check_time_rows(table, times, discharges);
+  } else {
+    velocities = table.numbers("velocity", "m/s");
+    check_time_rows(table, times, velocities);
+  }
+  if (table.has("level")) {
+    levels = table.numbers("level", "m");
+    check_time_rows(table, times, levels);
+    for (std::size_t row = 0; row < levels.size() && surface == InletSurface::level; ++row) {
+      if (levels[row] > lower_edge() && levels[row] <= upper_edge() + 1e-12) continue;
+      throw InputError(table.where(row) + ": the level does not lie in the opening of inlet." + name +
+                       "; correct it, or make the opening higher");
+    }
+    if (surface != InletSurface::level) levels.clear();
+  }
+  file.clear();
+}
+
+Inlet Inlet::without_defaults() {
+  Inlet inlet;
+  inlet.at = inlet.direction = Vec3::Constant(required);
+  return inlet;
+}
+
+double Inlet::flow_rate_at(double time, double wetted_area, int dimension) const {
+  const double across = extent_across(dimension);
+  if (flow_rate > 0 || !flow_rates.empty()) return value_at(times, flow_rates, time, flow_rate);
+  if (discharge > 0 || !discharges.empty()) return across * value_at(times, discharges, time, discharge);
+  return wetted_area * value_at(times, velocities, time, velocity);
+}
+
+double Inlet::shape_at(double height_over_edge, double depth, double mean_velocity, double viscosity) const {
+  switch (profile) {
+    case InletProfile::uniform:
+      return 1;
+    case InletProfile::log_law: {
+      const double friction = friction_velocity_of_current(mean_velocity, depth, viscosity, roughness);
+      return friction > 0 ? log_profile(friction, height_over_edge, viscosity, roughness) : 0;
+    }
+    case InletProfile::table:
+      return value_at(heights, speeds, height_over_edge, 0);
+  }
+  return 0;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,171 @@
+#pragma once
+
+#include "physics/water/equation_of_state.hpp"
+#include "solver/backend/device.hpp"
+#include "solver/models/openings/zone.hpp"
+#include "solver/models/suspended_load/arrays.hpp"
+#include "solver/state/particles.hpp"
+#include "solver/state/scene.hpp"
+#include "solver/state/step_state.hpp"
+
+// Water that enters and leaves. An inlet's particles move in columns, each with its own speed; an outlet's go on with the
+// speed with which they have crossed its plane, along the flow. Both have the pressure under the level that is imposed,
+// or that of the water next to them. In both the equations of motion do not hold (Role::prescribed).
+namespace thalweg {
+
+/// Pressure [Pa] at a place in a zone.
+template <int Dim>
+HOST_DEVICE inline double pressure_in_zone(const Zone& zone, double level, double at_centre, const double* x,
+                                           const Scene<Dim>& scene) {
+  double pressure = 0;
+  if (zone.is_full) {
+    pressure = at_centre;
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      pressure += double(scene.water_density) * double(scene.gravity[k]) * (x[c] - zone.at[c]);
+    }
+  } else {
+    const double g = -double(scene.gravity[Dim - 1]);
+    pressure = double(scene.water_density) * g * (level - x[2]);
+  }
+  return pressure > 0 ? pressure : 0;
+}
+
+/// Particle pass: who is prescribed, and how.
+template <int Dim>
+struct PrescribePass {
+  using reads = Reads<field::place, field::flow, field::matter, field::position, field::role>;
+  using writes = Writes<field::flow, field::matter, field::role>;
+
+  Record* records;
+  const Position* positions;
+  Role* roles;
+  const Zone* zones;
+  const double* levels;
+  const double* pressures;
+  const float* speeds;
+  Index count;  // of zones
+  Scene<Dim> scene;
+
+  HOST_DEVICE void operator()(Index i) const {
+    Record& r = records[i];
+    if (roles[i] == Role::dormant || r.volume == 0 || !is_water(r)) return;
+    const bool was_prescribed = roles[i] == Role::prescribed;
+    Role role = Role::integrated;
+    for (Index n = 0; n < count; ++n) {
+      const Zone& zone = zones[n];
+      if (zone.falls || (zone.enters && !was_prescribed)) continue;
+      const InOpening in = in_opening(zone, positions[i].x);
+      if (!is_in_zone(zone, in)) continue;
+      role = Role::prescribed;
+      prescribe(r, zone, speed(r, zone, in),
+                pressure_in_zone(zone, levels[n], pressures[n], positions[i].x, scene));
+    }
+    roles[i] = role;
+  }
+
+ private:
+  /// Along the flow [m/s].
+  [[nodiscard]] HOST_DEVICE double speed(const Record& r, const Zone& zone, const InOpening& in) const {
+    if (zone.enters) {
+      const float given = speeds[column_in(zone, in)];
+      return given > 0 ? double(given) : 0;
+    }
+    double along = 0;
+    for (int c = 0; c < 3; ++c) along += double(r.velocity[c]) * zone.flow[c];
+    return along;
+  }
+
+  HOST_DEVICE void prescribe(Record& r, const Zone& zone, double along, double pressure) const {
+    for (int c = 0; c < 3; ++c) r.velocity[c] = static_cast<float>(along * zone.flow[c]);
+    r.excess = static_cast<float>(tait_excess(pressure, double(scene.stiffness(r.kind))));
+  }
+};
+
+/// Volume of the water next to an opening [m^Dim], and its pressure at the opening's centre.
+struct WaterBeside {
+  double volume = 0;
+  double pressure = 0;  // summed with the volume
+
+  HOST_DEVICE WaterBeside& operator+=(const WaterBeside& other) {
+    volume += other.volume;
+    pressure += other.pressure;
+    return *this;
+  }
+};
+
+/// Particle pass: a particle's part of it. It counts within a zone's length of the plane, on the side of the scene: in the
+/// opening's section, or anywhere over its lower edge.
+template <int Dim>
+struct WaterBesidePass {
+  using reads = Reads<field::place, field::flow, field::matter, field::position, field::mass, field::role>;
+  using writes = Writes<>;
+
+  const Record* records;
+  const Position* positions;
+  const float* mass;
+  const Role* roles;
+  const Zone* zone;
+  bool in_section;
+  Scene<Dim> scene;
+
+  HOST_DEVICE WaterBeside operator()(Index i) const {
+    const Record& r = records[i];
+    if (roles[i] != Role::integrated || r.volume == 0 || !is_water(r)) return {};
+    const double* x = positions[i].x;
+    const InOpening in = in_opening(*zone, x);
+    const double inward = zone->enters ? in.along : -in.along;
+    if (!(inward >= 0 && inward < zone->length)) return {};
+    const bool over_edge =
+        in.up >= -zone->half_up && in.across >= -zone->half_across && in.across <= zone->half_across;
+    if (in_section ? !is_in_section(*zone, in, 0) : !over_edge) return {};
+    const double volume = double(mass[i]) / double(scene.water_density);
+    double at_centre = r.pressure;
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      at_centre -= double(scene.water_density) * double(scene.gravity[k]) * (x[c] - zone->at[c]);
+    }
+    return {volume, at_centre * volume};
+  }
+};
+
+/// Tells which particles of a phase leave through an opening: at an outlet, those behind its plane or its zone; at an
+/// inlet, the columns that have fallen dry, and water that is pushed back into it.
+struct LeavesThrough {
+  using reads = Reads<field::place, field::matter, field::position, field::role>;
+
+  const Record* records;
+  const Position* positions;
+  const Role* roles;
+  const Zone* zone;
+  const float* speeds;
+  bool sediment;
+
+  HOST_DEVICE bool operator()(Index i) const {
+    if (is_sediment(records[i]) != sediment) return false;
+    const InOpening in = in_opening(*zone, positions[i].x);
+    if (zone->enters) {
+      if (sediment || !is_in_zone(*zone, in)) return false;
+      return roles[i] == Role::prescribed ? speeds[column_in(*zone, in)] < 0 : in.along < -0.5 * zone->spacing;
+    }
+    const double margin = 2 * zone->spacing;
+    const double end = zone->falls ? 0 : zone->length - zone->spacing;
+    return in.along > end && in.along < zone->length + margin && is_in_section(*zone, in, margin);
+  }
+};
+
+/// Particle pass: grains of a particle that leaves [m^3].
+struct GrainsLeaving {
+  using reads = LeavesThrough::reads::With<field::grains>;
+  using writes = Writes<>;
+
+  const double* grains;
+  LeavesThrough leaves;
+
+  HOST_DEVICE double operator()(Index i) const {
+    const bool here = leaves.roles[i] != Role::dormant && leaves.records[i].volume > 0 && leaves(i);
+    return here ? grains[i] : 0;
+  }
+};
+
+}  // namespace thalweg

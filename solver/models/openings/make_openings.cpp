@@ -1,0 +1,293 @@
+#include "solver/models/openings/make_openings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/models/openings.hpp"
+#include "case/scales.hpp"
+#include "physics/water/equation_of_state.hpp"
+
+namespace thalweg {
+namespace {
+
+/// Columns become full or dry when the level has passed their middle by this share of their height: a level that moves
+/// little does not switch them on and off.
+constexpr double level_slack = 0.25;
+
+/// One column of an inlet's zone: particles one behind the other, a spacing apart.
+struct Column {
+  double up = 0;      // [m] of its axis, from the centre of the opening
+  double across = 0;  // [m]
+  bool exists = true;  // false: it lies outside of a round opening
+  bool is_full = false;
+  double phase = 0;  // [m] way of its first particle since the one before it crossed the plane
+};
+
+/// One inlet with its columns.
+struct InletColumns {
+  Inlet inlet;
+  std::size_t first = 0;  // of its columns, in the table of all
+  std::size_t count = 0;
+  double cell = 0;  // [m^2] cross-section of a column (2-D: [m])
+};
+
+Zone zone_of(const Opening& opening, const Case& of) {
+  Zone zone;
+  const OpeningAxes axes = opening.axes();
+  for (int c = 0; c < 3; ++c) {
+    zone.at[c] = opening.at[c];
+    zone.flow[c] = axes.flow[c];
+    zone.up[c] = axes.up[c];
+    zone.across[c] = of.info.dimension == 3 ? axes.across[c] : 0;
+  }
+  zone.half_up = 0.5 * opening.extent_up();
+  zone.half_across = 0.5 * opening.extent_across(of.info.dimension);
+  zone.round = opening.is_round();
+  zone.length = zone_length(of);
+  zone.spacing = of.numerics.spacing;
+  zone.upright = std::abs(axes.flow.z()) < 1e-6 && !opening.is_round();
+  return zone;
+}
+
+Index parts_of(double length, double spacing) {
+  return static_cast<Index>(std::max(1.0, std::round(length / spacing)));
+}
+
+class OpeningsOfCase final : public Openings {
+ public:
+  explicit OpeningsOfCase(const Case& of)
+      : dimension_(of.info.dimension),
+        spacing_(of.numerics.spacing),
+        density_(of.water.density),
+        viscosity_(of.water.viscosity / of.water.density),
+        gravity_(of.domain.gravity.norm()),
+        stiffness_(tait_stiffness(of.water.density, of.numerics.sound_speed_factor * of.numerics.maximum_speed)),
+        layers_(static_cast<int>(std::floor(zone_length(of) / of.numerics.spacing))),
+        outlets_(of.outlets) {
+    for (const Inlet& inlet : of.inlets) add(inlet, of);
+    for (const Outlet& outlet : outlets_) {
+      Zone zone = zone_of(outlet, of);
+      zone.falls = outlet.kind == OutletKind::fall;
+      zones_.push_back(zone);
+      names_.push_back(outlet.name);
+    }
+    levels_.resize(zones_.size());
+    water_.resize(zones_.size());
+    sediment_.resize(zones_.size());
+    grains_.resize(zones_.size());
+    depths_.resize(zones_.size());
+    waiting_.resize(zones_.size());
+    speeds_.assign(columns_.size(), dry_column);
+  }
+
+  [[nodiscard]] const std::vector<Zone>& zones() const override { return zones_; }
+  [[nodiscard]] const std::vector<double>& levels() const override { return levels_; }
+  [[nodiscard]] const std::vector<float>& speeds() const override { return speeds_; }
+
+  void fill(double time, const std::vector<double>& depths, Population& population) override {
+    depths_ = depths;
+    set_levels(time);
+    for (std::size_t n = 0; n < inlets_.size(); ++n) {
+      const InletColumns& of = inlets_[n];
+      for (std::size_t c = of.first; c < of.first + of.count; ++c) {
+        Column& column = columns_[c];
+        const bool full = is_full(n, column);
+        if (full && !column.is_full) {
+          column.phase = 0.5 * spacing_;
+          for (int layer = 0; layer < layers_; ++layer) bear(n, column, layer, population);
+        }
+        column.is_full = full;
+      }
+    }
+    set_speeds(time);
+    // Those that wait are let in with the lists that are made next.
+    for (std::size_t n = 0; n < inlets_.size(); ++n) water_[n] += waiting_[n], waiting_[n] = 0;
+  }
+
+  bool set_time(double time) override {
+    const std::vector<float> before = speeds_;
+    const std::vector<double> levels = levels_;
+    set_levels(time);
+    set_speeds(time);
+    return before != speeds_ || levels != levels_;
+  }
+
+  void advance(double dt, Population& population) override {
+    for (std::size_t n = 0; n < inlets_.size(); ++n) {
+      const InletColumns& of = inlets_[n];
+      for (std::size_t c = of.first; c < of.first + of.count; ++c) {
+        Column& column = columns_[c];
+        if (!column.is_full) continue;
+        column.phase += dt * double(speeds_[c]);
+        while (column.phase >= spacing_) {
+          column.phase -= spacing_;
+          bear(n, column, layers_ - 1, population);
+        }
+      }
+    }
+  }
+
+  void count_out(std::size_t opening, double water, double sediment, double grains) override {
+    water_[opening] -= water;
+    sediment_[opening] -= sediment;
+    grains_[opening] -= grains;
+  }
+
+  [[nodiscard]] std::vector<OpeningFlux> fluxes() const override {
+    std::vector<OpeningFlux> fluxes;
+    for (std::size_t n = 0; n < zones_.size(); ++n) {
+      const Zone& zone = zones_[n];
+      const double level = zone.at[2] - zone.half_up + depths_[n];
+      const bool overflows = zone.upright && !zone.is_full && depths_[n] > 2 * zone.half_up + spacing_;
+      fluxes.push_back({names_[n], water_[n], sediment_[n], grains_[n], zone.upright ? level : NAN, overflows});
+    }
+    return fluxes;
+  }
+
+  [[nodiscard]] std::vector<double> numbers() const override {
+    std::vector<double> out;
+    for (std::size_t n = 0; n < zones_.size(); ++n) {
+      out.insert(out.end(), {water_[n], sediment_[n], grains_[n], depths_[n], levels_[n], waiting_[n]});
+    }
+    for (const Column& column : columns_) out.insert(out.end(), {column.is_full ? 1.0 : 0.0, column.phase});
+    return out;
+  }
+
+  [[nodiscard]] bool restored(const std::vector<double>& numbers) override {
+    constexpr std::size_t of_zone = 6;
+    if (numbers.size() != of_zone * zones_.size() + 2 * columns_.size()) return false;
+    const double* next = numbers.data();
+    for (std::size_t n = 0; n < zones_.size(); ++n, next += of_zone) {
+      water_[n] = next[0];
+      sediment_[n] = next[1];
+      grains_[n] = next[2];
+      depths_[n] = next[3];
+      levels_[n] = next[4];
+      waiting_[n] = next[5];
+    }
+    for (Column& column : columns_) {
+      column.is_full = *next++ != 0;
+      column.phase = *next++;
+    }
+    return true;
+  }
+
+ private:
+  void add(const Inlet& inlet, const Case& of) {
+    Zone zone = zone_of(inlet, of);
+    zone.enters = true;
+    zone.is_full = inlet.surface == InletSurface::full;
+    zone.rows = parts_of(2 * zone.half_up, spacing_);
+    zone.ranks = dimension_ == 3 ? parts_of(2 * zone.half_across, spacing_) : 1;
+    zone.first_column = static_cast<Index>(columns_.size());
+    const double high = 2 * zone.half_up / zone.rows;
+    const double wide = 2 * zone.half_across / zone.ranks;
+    for (Index row = 0; row < zone.rows; ++row) {
+      for (Index rank = 0; rank < zone.ranks; ++rank) {
+        Column column;
+        column.up = (row + 0.5) * high - zone.half_up;
+        column.across = dimension_ == 3 ? (rank + 0.5) * wide - zone.half_across : 0;
+        if (zone.round) column.exists = std::hypot(column.up, column.across) <= zone.half_up;
+        columns_.push_back(column);
+      }
+    }
+    inlets_.push_back({inlet, zone.first_column, columns_.size() - zone.first_column, high * wide});
+    zones_.push_back(zone);
+    names_.push_back(inlet.name);
+  }
+
+  /// z of the surface at each opening [m].
+  void set_levels(double time) {
+    for (std::size_t n = 0; n < zones_.size(); ++n) {
+      const Zone& zone = zones_[n];
+      const bool follows = n < inlets_.size() && inlets_[n].inlet.surface == InletSurface::follow;
+      const Opening& opening = n < inlets_.size() ? static_cast<const Opening&>(inlets_[n].inlet)
+                                                  : outlets_[n - inlets_.size()];
+      levels_[n] = follows ? zone.at[2] - zone.half_up + depths_[n] : opening.level_at(time);
+    }
+  }
+
+  /// Depth of the water in an inlet [m].
+  [[nodiscard]] double depth_in(std::size_t n) const {
+    const Zone& zone = zones_[n];
+    if (zone.is_full) return 2 * zone.half_up;
+    return levels_[n] - (zone.at[2] - zone.half_up);
+  }
+
+  [[nodiscard]] bool is_full(std::size_t n, const Column& column) const {
+    if (!column.exists || zones_[n].is_full) return column.exists;
+    const double over = depth_in(n) - (column.up + zones_[n].half_up);
+    const double slack = level_slack * spacing_;
+    return column.is_full ? over > -slack : over > -1e-6 * spacing_;
+  }
+
+  /// The discharge as the inlet has it, spread over the columns that are full.
+  void set_speeds(double time) {
+    for (std::size_t n = 0; n < inlets_.size(); ++n) {
+      const InletColumns& of = inlets_[n];
+      double area = 0;
+      for (std::size_t c = of.first; c < of.first + of.count; ++c) area += columns_[c].is_full ? of.cell : 0;
+      const double rate = of.inlet.flow_rate_at(time, area, dimension_);
+      const double mean = area > 0 ? rate / area : 0;
+      double shaped = 0;
+      std::vector<double> shape(of.count, 0.0);
+      for (std::size_t c = 0; c < of.count; ++c) {
+        const Column& column = columns_[of.first + c];
+        if (!column.is_full) continue;
+        shape[c] = of.inlet.shape_at(column.up + zones_[n].half_up, depth_in(n), mean, viscosity_);
+        shaped += shape[c] * of.cell;
+      }
+      for (std::size_t c = 0; c < of.count; ++c) {
+        const bool runs = columns_[of.first + c].is_full;
+        speeds_[of.first + c] = runs ? static_cast<float>(shaped > 0 ? rate * shape[c] / shaped : 0) : dry_column;
+      }
+    }
+  }
+
+  /// A particle of a column, `layer` spacings behind its first.
+  void bear(std::size_t n, const Column& column, int layer, Population& population) {
+    const Zone& zone = zones_[n];
+    Newborn newborn;
+    const double along = column.phase - (layer + 1) * spacing_;
+    for (int c = 0; c < 3; ++c) {
+      newborn.position.x[c] =
+          zone.at[c] + along * zone.flow[c] + column.up * zone.up[c] + column.across * zone.across[c];
+    }
+    const double head = zone.is_full ? 0 : std::max(0.0, levels_[n] - newborn.position.x[2]);
+    const double excess = tait_excess(density_ * gravity_ * head, stiffness_);
+    newborn.excess = static_cast<float>(excess);
+    newborn.mass = static_cast<float>(density_ * (1 + excess) * inlets_[n].cell * spacing_);
+    newborn.role = Role::prescribed;
+    population.bear(newborn);
+    waiting_[n] += double(newborn.mass);
+  }
+
+  int dimension_;
+  double spacing_;    // [m]
+  double density_;    // [kg/m^3]
+  double viscosity_;  // [m^2/s]
+  double gravity_;    // [m/s^2]
+  double stiffness_;  // [Pa]
+  int layers_;        // particles of a column
+  std::vector<Outlet> outlets_;
+  std::vector<InletColumns> inlets_;
+  std::vector<Column> columns_;  // of all inlets
+  std::vector<Zone> zones_;
+  std::vector<double> levels_;  // [m]
+  std::vector<std::string> names_;
+  std::vector<float> speeds_;     // [m/s] of the columns
+  std::vector<double> water_;     // [kg] that has come in, less what has gone out
+  std::vector<double> sediment_;  // [kg]
+  std::vector<double> grains_;    // [kg] that water carries
+  std::vector<double> waiting_;   // [kg] of inlets: born and not yet let in
+  std::vector<double> depths_;    // [m] of the scene's water next to the openings
+};
+
+}  // namespace
+
+std::shared_ptr<Openings> make_openings(const Case& of) {
+  if (!models::OpenBoundaries::is_on(of)) return nullptr;
+  return std::make_shared<OpeningsOfCase>(of);
+}
+
+}  // namespace thalweg

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/error.hpp"
+#include "solver/backend/buffer.hpp"
+#include "solver/models/openings/flow.hpp"
+#include "solver/models/openings/openings.hpp"
+#include "solver/models/openings/scene.hpp"
+
+namespace thalweg {
+
+struct SceneSource;
+
+/// The openings on the host, and their state on the device.
+template <class Device>
+struct OpeningsWork {
+  template <class T>
+  using Buffer = typename Device::template Buffer<T>;
+
+  std::shared_ptr<Openings> openings;  // null without any
+  Buffer<Zone> zones;
+  Buffer<double> levels;      // [m]
+  Buffer<double> pressures;   // [Pa] at the centres of full inlets
+  Buffer<float> speeds;       // [m/s] of the inlets' columns
+};
+
+template <class Device>
+void upload_openings(Device& on, OpeningsWork<Device>& work) {
+  const Openings& openings = *work.openings;
+  on.upload(HostBuffer<double>(openings.levels().begin(), openings.levels().end()), work.levels);
+  on.upload(HostBuffer<float>(openings.speeds().begin(), openings.speeds().end()), work.speeds);
+}
+
+/// The water next to the opening `n`.
+template <int Dim, class Device>
+WaterBesidePass<Dim> water_beside(const Particles<Device>& p, const Scene<Dim>& scene,
+                                  const OpeningsWork<Device>& work, std::size_t n, bool in_section) {
+  return {p.record.data(), p.position.data(), p.mass.data(), p.roles(), work.zones.data() + n, in_section, scene};
+}
+
+/// Depth of the water next to each opening [m]; 0 at those that do not stand upright.
+template <int Dim, class Device>
+std::vector<double> depths_at_openings(Device& on, const Particles<Device>& p, const Scene<Dim>& scene,
+                                       const OpeningsWork<Device>& work) {
+  std::vector<double> depths;
+  const std::vector<Zone>& zones = work.openings->zones();
+  for (std::size_t n = 0; n < zones.size(); ++n) {
+    depths.push_back(0);
+    if (!zones[n].upright) continue;
+    const WaterBeside sum = on.reduce(p.count, WaterBeside{}, water_beside(p, scene, work, n, false),
+                                      [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; });
+    depths.back() = sum.volume / (zones[n].length * 2 * zones[n].half_across);
+  }
+  return depths;
+}
+
+/// Water that enters and leaves: [[inlet]], [[outlet]].
+struct OpeningsModel {
+  template <int Dim>
+  using Parameters = OpeningsScene<Dim>;
+  template <class Device>
+  using Work = OpeningsWork<Device>;
+  static constexpr const char* heading = "open_boundaries";
+
+  /// Fills the model's members of the scene (make.cpp).
+  template <int Dim>
+  static void make(const SceneSource& from, Scene<Dim>& scene);
+
+  template <class Scene>
+  static constexpr bool is_on(const Scene& scene) {
+    return scene.has_openings;
+  }
+  /// The host hands over levels and speeds.
+  template <class Scene>
+  static bool varies(const Scene&) {
+    return true;
+  }
+
+  /// Those who enter are let in with the new lists, and those who have left go.
+  template <class Device, class Scene, class Workspace>
+  static void before_lists(Device& on, Particles<Device>& p, const Scene& scene, Workspace& work) {
+    Openings& openings = *work.openings;
+    openings.fill(work.time, depths_at_openings(on, p, scene, work), work.population);
+    upload_openings(on, work);
+    for (std::size_t n = 0; n < openings.zones().size(); ++n) {
+      const double grains = grains_leaving(on, p, scene, leaving(p, work, n, false));
+      const double water = leave(on, p, work, leaving(p, work, n, false));
+      openings.count_out(n, water, scene.has_sediment ? leave(on, p, work, leaving(p, work, n, true)) : 0, grains);
+    }
+  }
+
+  template <class C>
+  static void at_start(C& step) {
+    auto& work = step.work;
+    auto& p = step.p;
+    if (work.openings->set_time(work.time)) upload_openings(step.on, work);
+    step.on.for_each(p.fluid_count,
+                     PrescribePass<C::dimension>{p.record.data(), p.position.data(), p.role.data(), work.zones.data(),
+                                                 work.levels.data(), work.pressures.data(), work.speeds.data(),
+                                                 static_cast<Index>(work.zones.size()), step.scene});
+  }
+
+  /// The pressure of full inlets follows that of the water next to them within some passages of sound.
+  template <class C>
+  static void after_step(C& step) {
+    constexpr double passages = 20;
+    const double time = passages * step.scene.smoothing_length / double(step.scene.sound_speed);
+    const StepState* state = step.state;
+    const std::vector<Zone>& zones = step.work.openings->zones();
+    for (std::size_t n = 0; n < zones.size(); ++n) {
+      if (!zones[n].is_full) continue;
+      double* pressure = step.work.pressures.data() + n;
+      step.on.reduce_then(
+          step.p.fluid_count, WaterBeside{}, water_beside(step.p, step.scene, step.work, n, true),
+          [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; },
+          [=] HOST_DEVICE(const WaterBeside& sum) {
+            const double share = state->step.dt < time ? state->step.dt / time : 1;
+            const double beside = sum.volume > 0 ? sum.pressure / sum.volume : 0;
+            *pressure += share * (beside - *pressure);
+          });
+    }
+  }
+
+  template <class C>
+  static void after_reading(C& step) {
+    step.work.openings->advance(step.now.step.dt, step.work.population);
+  }
+
+ private:
+  template <class Device>
+  static LeavesThrough leaving(Particles<Device>& p, const OpeningsWork<Device>& work, std::size_t n, bool sediment) {
+    return {p.record.data(), p.position.data(), p.role.data(), work.zones.data() + n, work.speeds.data(), sediment};
+  }
+
+  /// Lets those who leave die. Returns their mass [kg].
+  template <class Device, class Workspace>
+  static double leave(Device& on, Particles<Device>& p, Workspace& work, const LeavesThrough& leaving) {
+    const double before = work.population.ledger().out;
+    work.population.bury(on, p, leaving);
+    return work.population.ledger().out - before;
+  }
+
+  /// Mass of the grains that they carry [kg].
+  template <class Device, class Scene>
+  static double grains_leaving(Device& on, const Particles<Device>& p, const Scene& scene,
+                               const LeavesThrough& leaving) {
+    if (!scene.suspended_load.on) return 0;
+    const double volume = on.reduce(p.fluid_count, 0.0, GrainsLeaving{p.grains.data(), leaving},
+                                    [] HOST_DEVICE(double a, double b) { return a + b; });
+    return volume * double(scene.erosion.grain_density);
+  }
+};
+
+/// Opens a scene: the particles that inlets hold ready are there from the start, or from a checkpoint on. Throws
+/// InputError for a checkpoint of other openings.
+template <int Dim, class Device, class Workspace>
+void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace& work,
+                   const std::shared_ptr<Openings>& openings, const ParticleSet& from) {
+  work.openings = openings;
+  const std::vector<Zone>& zones = openings->zones();
+  on.upload(HostBuffer<Zone>(zones.begin(), zones.end()), work.zones);
+  HostBuffer<double> pressures(zones.size(), 0.0);
+  Population::open(on, p);
+  const auto known = from.facts.find(openings_fact);
+  if (known == from.facts.end()) {
+    const Index before = p.count;
+    openings->fill(work.time, depths_at_openings(on, p, scene, work), work.population);
+    work.population.admit(on, p, scene);
+    p.fluid_count += p.count - before;
+  } else {
+    std::vector<double> numbers = known->second;
+    const std::size_t others = numbers.size() - std::min(numbers.size(), zones.size());
+    pressures.assign(numbers.begin() + static_cast<std::ptrdiff_t>(others), numbers.end());
+    numbers.resize(others);
+    if (!openings->restored(numbers)) {
+      throw InputError("the checkpoint's field data " + std::string(openings_fact) +
+                       " is not that of these inlets and outlets; start from a whole checkpoint of the same case");
+    }
+    openings->set_time(work.time);
+  }
+  on.upload(std::move(pressures), work.pressures);
+  upload_openings(on, work);
+}
+
+/// Adds to a checkpoint what load_openings() needs.
+template <class Device>
+void add_openings(Device& on, const OpeningsWork<Device>& work, ParticleSet& to) {
+  std::vector<double>& numbers = to.facts[openings_fact];
+  numbers = work.openings->numbers();
+  const auto pressures = on.download(work.pressures);
+  numbers.insert(numbers.end(), pressures.begin(), pressures.end());
+}
+
+}  // namespace thalweg
