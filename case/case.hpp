@@ -56,11 +56,10 @@ struct Case {
 
   /// The one list of tables, in the order in which they are read, written and described.
   static constexpr auto tables() {
-    return std::tuple{&Case::info,           &Case::domain, &Case::shapes,    &Case::motions,
-                      &Case::gencase,        &Case::water,  &Case::sediments, &Case::model,
-                      &Case::suspended_load, &Case::flow,   &Case::inlets,    &Case::outlets,
-                      &Case::numerics,       &Case::output, &Case::gauges,    &Case::lines,
-                      &Case::compare,        &Case::foam};
+    return std::tuple{&Case::info,   &Case::domain,    &Case::shapes,   &Case::motions,        &Case::gencase,
+                      &Case::water,  &Case::sediments, &Case::model,    &Case::suspended_load, &Case::flow,
+                      &Case::inlets, &Case::outlets,   &Case::numerics, &Case::output,         &Case::gauges,
+                      &Case::lines,  &Case::compare,   &Case::foam};
   }
 
   [[nodiscard]] int dimension() const { return info.dimension; }

@@ -108,7 +108,8 @@ void check_apart(const Case& scene, const std::vector<PlacedOpening>& openings) 
       for (const double along : {0.0, 0.5, 1.0}) {
         for (const double up : {-0.49, 0.0, 0.49}) {
           const double way = along * other.length * (other.enters ? -1 : 1);
-          const Vec3 place = other.opening->at + way * other.axes.flow + up * other.opening->extent_up() * other.axes.up;
+          const Vec3 place =
+              other.opening->at + way * other.axes.flow + up * other.opening->extent_up() * other.axes.up;
           const Vec3 in = one.coordinates(place);
           const double inside = one.enters ? -in.x() : in.x();
           if (!(inside >= 0 && inside <= one.length) || !one.is_in_section(in, 0)) continue;
@@ -129,15 +130,16 @@ void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, F
   for (const PlacedOpening& opening : openings) {
     const InZone found = search_zone(scene, shapes, opening, filling);
     if (found.walls > 0) {
-      throw InputError(fmt::format("{}: {}: {} wall particles stand in its opening or its zone of {}, the first at {}; "
-                                   "clear the way with a shape of role \"empty\", or move the opening",
-                                   scene.file.string(), opening.name(), found.walls,
-                                   format_quantity(opening.length, "m"), at(found.wall, scene)));
+      throw InputError(
+          fmt::format("{}: {}: {} wall particles stand in its opening or its zone of {}, the first at {}; "
+                      "clear the way with a shape of role \"empty\", or move the opening",
+                      scene.file.string(), opening.name(), found.walls, format_quantity(opening.length, "m"),
+                      at(found.wall, scene)));
     }
     if (found.behind > 0) {
-      throw InputError(fmt::format("{}: {}: water stands behind its zone of {}, the first at {}; let the shape end there",
-                                   scene.file.string(), opening.name(), format_quantity(opening.length, "m"),
-                                   at(found.water, scene)));
+      throw InputError(fmt::format(
+          "{}: {}: water stands behind its zone of {}, the first at {}; let the shape end there", scene.file.string(),
+          opening.name(), format_quantity(opening.length, "m"), at(found.water, scene)));
     }
     if (found.cleared > 0) {
       notes.say(fmt::format("{}: {} particles are taken out of its zone of {}, which the solver fills", opening.name(),

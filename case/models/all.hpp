@@ -18,9 +18,8 @@
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow,
-                       OpenBoundaries, WallStress, MixingLength, SubParticleStress, ParticleShifting,
-                       SuspendedLoadOfWater>;
+using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, OpenBoundaries,
+                       WallStress, MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -35,7 +35,8 @@ bool is_supercritical(const Outlet& outlet, const Case& c) {
     if (inlet.surface == InletSurface::follow && !inlet.velocities.empty()) return false;
     entering += largest_flow_rate(inlet, c);
   }
-  const double lowest = outlet.levels.empty() ? outlet.level : *std::min_element(outlet.levels.begin(), outlet.levels.end());
+  const double lowest =
+      outlet.levels.empty() ? outlet.level : *std::min_element(outlet.levels.begin(), outlet.levels.end());
   const double depth = lowest - outlet.lower_edge();
   const double velocity = entering / (depth * outlet.extent_across(c.info.dimension));
   return depth > 0 && velocity > std::sqrt(c.domain.gravity.norm() * depth);

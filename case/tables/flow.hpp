@@ -53,11 +53,12 @@ struct Flow {
     v.quantity("discharge", discharge, "m^2/s", 0, 1000,
                "drive = \"discharge\": volume per time and width, the width being that of the water seen from above.");
     v.quantity("velocity", velocity, "m/s", 0, 100, "drive = \"velocity\": mean over the volume of the water.");
-    v.choice(
-        "start", start,
-        "Velocity of the water at the start. It follows from the drive (without one, beside inlets, from `discharge` or "
-        "`velocity`) and the law of the wall with the depth of each column; a current that starts at rest takes some ten "
-        "depths over the friction velocity to become steady.");
+    v.choice("start", start,
+             "Velocity of the water at the start. It follows from the drive (without one, beside inlets, from "
+             "`discharge` or "
+             "`velocity`) and the law of the wall with the depth of each column; a current that starts at rest takes "
+             "some ten "
+             "depths over the friction velocity to become steady.");
     v.texts("start_of", start_of, "Names of the shapes whose water starts so; without any, all water does.");
   }
 

@@ -22,11 +22,11 @@ void check_amount(const Inlet& inlet, const CheckContext& at) {
   for (const char* key : steady_keys) given += at.given(key) ? 1 : 0;
   for (const char* key : table_keys) given += at.given(key) ? 1 : 0;
   if (given != 1) {
-    at.reject(at.path(),
-              given == 0 ? at.path() + " does not say how much enters"
-                         : at.path() + " says more than once how much enters",
-              at.dimension() == 3 ? "give one of velocity, discharge, flow_rate, their tables, or a file"
-                                  : "give one of velocity, discharge, their tables, or a file");
+    at.reject(
+        at.path(),
+        given == 0 ? at.path() + " does not say how much enters" : at.path() + " says more than once how much enters",
+        at.dimension() == 3 ? "give one of velocity, discharge, flow_rate, their tables, or a file"
+                            : "give one of velocity, discharge, their tables, or a file");
   }
   for (const char* key : steady_keys) {
     const double value = inlet.velocity + inlet.discharge + inlet.flow_rate;
@@ -72,8 +72,7 @@ void check_profile(const Inlet& inlet, const Case& whole, const CheckContext& at
 }
 
 bool has_table(const Inlet& inlet) {
-  return !inlet.velocities.empty() || !inlet.discharges.empty() || !inlet.flow_rates.empty() ||
-         !inlet.levels.empty();
+  return !inlet.velocities.empty() || !inlet.discharges.empty() || !inlet.flow_rates.empty() || !inlet.levels.empty();
 }
 
 /// Ends the message "KEY means nothing ...".

@@ -23,9 +23,10 @@ inline constexpr std::array<Choice<InletSurface>, 3> choices(InletSurface) {
 enum class InletProfile { uniform, log_law, table };
 
 inline constexpr std::array<Choice<InletProfile>, 3> choices(InletProfile) {
-  return {{{InletProfile::uniform, "uniform", "the same velocity everywhere"},
-           {InletProfile::log_law, "log-law", "the logarithmic profile over the opening's lower edge, with `roughness`"},
-           {InletProfile::table, "table", "in proportion to `speeds` at `heights`, linear between"}}};
+  return {
+      {{InletProfile::uniform, "uniform", "the same velocity everywhere"},
+       {InletProfile::log_law, "log-law", "the logarithmic profile over the opening's lower edge, with `roughness`"},
+       {InletProfile::table, "table", "in proportion to `speeds` at `heights`, linear between"}}};
 }
 
 /// One [[inlet]]: an opening through which water enters.
@@ -35,12 +36,12 @@ struct Inlet : Opening {
       "An inlet holds particles ready in a zone upstream of its plane, as long as the neighbour lists reach and two "
       "spacings. They move with the velocity of the inlet and become water of the scene where they cross the plane."};
 
-  double velocity = 0;              // [m/s]
-  double discharge = 0;             // [m^2/s]
-  double flow_rate = 0;             // [m^3/s]
-  std::vector<double> velocities;   // [m/s]
-  std::vector<double> discharges;   // [m^2/s]
-  std::vector<double> flow_rates;   // [m^3/s]
+  double velocity = 0;             // [m/s]
+  double discharge = 0;            // [m^2/s]
+  double flow_rate = 0;            // [m^3/s]
+  std::vector<double> velocities;  // [m/s]
+  std::vector<double> discharges;  // [m^2/s]
+  std::vector<double> flow_rates;  // [m^3/s]
   InletSurface surface = InletSurface::full;
   InletProfile profile = InletProfile::uniform;
   double roughness = 0;         // [m]

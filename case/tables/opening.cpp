@@ -28,8 +28,7 @@ void check_size(const Opening& opening, const Case& whole, const CheckContext& a
     at.reject(at.path(), at.path() + " has no width", "give width, or a diameter in place of height and width");
   }
   const double least = 2 * whole.numerics.spacing;
-  const double smallest =
-      std::min(opening.extent_up(), in_space ? opening.extent_across(3) : opening.extent_up());
+  const double smallest = std::min(opening.extent_up(), in_space ? opening.extent_across(3) : opening.extent_up());
   if (smallest >= least * (1 - 1e-9)) return;
   at.reject(at.path(), fmt::format("{} is {} wide, less than two spacings", at.path(), metres(smallest)),
             "make it wider or numerics.spacing smaller");
@@ -138,7 +137,8 @@ void Opening::check_times(const CheckContext& at_table, const std::string& colum
 void Opening::check_levels(const Case& whole, const CheckContext& at_table) const {
   const Vec3& g = whole.domain.gravity;
   if (!(g.z() < 0 && g.x() == 0 && g.y() == 0)) {
-    at_table.reject(at_table.key("level"), at_table.path() + " has a level, which needs gravity straight down, along -z",
+    at_table.reject(at_table.key("level"),
+                    at_table.path() + " has a level, which needs gravity straight down, along -z",
                     "let gravity point along -z");
   }
   if (std::abs(axes().flow.z()) > 1e-6) {

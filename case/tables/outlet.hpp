@@ -22,7 +22,8 @@ inline constexpr std::array<Choice<OutletKind>, 2> choices(OutletKind) {
 struct Outlet : Opening {
   static constexpr TableHeading heading{
       "outlet", "Where water and sediment leave the scene: one such table for every opening (openings.md).",
-      "Behind the plane of an outlet the scene goes on for a zone as long as the neighbour lists reach and two spacings, "
+      "Behind the plane of an outlet the scene goes on for a zone as long as the neighbour lists reach and two "
+      "spacings, "
       "with its floor. Particles are taken out at its end."};
 
   OutletKind kind = OutletKind::fall;
@@ -34,8 +35,7 @@ struct Outlet : Opening {
     v.quantity("level", level, "m", -1e6, 1e6, "kind = \"level\": height z of the water's surface.");
     v.quantities("times", times, "s", 0, 1e9, "kind = \"level\": times of a table, increasing.");
     v.quantities("levels", levels, "m", -1e6, 1e6, "kind = \"level\": the level at `times`.");
-    v.text("file", file,
-           "kind = \"level\": the table as CSV, relative to the case's folder: time [s] and level [m].");
+    v.text("file", file, "kind = \"level\": the table as CSV, relative to the case's folder: time [s] and level [m].");
   }
 
   [[nodiscard]] bool uses_key(std::string_view key, int dimension) const;

@@ -14,10 +14,10 @@ void MassBalance::check(const Totals& totals, const MassLedger& ledger, const st
   if (openings.empty()) return;
   for (const OpeningFlux& opening : openings) {
     if (!opening.overflows) continue;
-    throw RunError(
-        fmt::format("the water at {} stands at z = {} at t = {:.4g} s, above the opening: its level runs away; let more "
-                    "water out or less in, or make the opening higher",
-                    opening.name, format_quantity(opening.level, "m"), clock.time));
+    throw RunError(fmt::format(
+        "the water at {} stands at z = {} at t = {:.4g} s, above the opening: its level runs away; let more "
+        "water out or less in, or make the opening higher",
+        opening.name, format_quantity(opening.level, "m"), clock.time));
   }
   if (with_grains) return;
   constexpr double most = 1e-6;

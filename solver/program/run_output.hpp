@@ -39,8 +39,7 @@ class RunOutput {
   /// Opens the tables and the series; a benchmark does not. `continued_at` [s]: rows and snapshots up to that time are
   /// kept; without it the folder holds no results. `gauge_heading` is the heading of gauges.csv; without one there is no
   /// such file. `columns`: what history.csv has beside those of every run.
-  void open(std::optional<double> continued_at, const std::string& gauge_heading,
-            const HistoryColumns& columns);
+  void open(std::optional<double> continued_at, const std::string& gauge_heading, const HistoryColumns& columns);
 
   void snapshot(Simulation& simulation, const RunClock& clock);
   void history(const Totals& totals, const MassLedger& ledger, const std::vector<OpeningFlux>& openings,

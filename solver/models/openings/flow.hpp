@@ -8,9 +8,12 @@
 #include "solver/state/scene.hpp"
 #include "solver/state/step_state.hpp"
 
-// Water that enters and leaves. An inlet's particles move in columns, each with its own speed; an outlet's go on with the
-// speed with which they have crossed its plane, along the flow. Both have the pressure under the level that is imposed,
-// or that of the water next to them. In both the equations of motion do not hold (Role::prescribed).
+// Water that enters and leaves. An inlet's particles move in columns, each with its own speed. An outlet's go on along
+// the flow with the speed with which they have crossed its plane; when the water before the plane becomes faster or slower
+// as a whole, so do they, and slowly they take its mean speed: without the first, water that starts at rest would stand in
+// the zone for ever and dam the outlet, without the second what is slower than others would. Both zones have the pressure
+// under the level that is imposed, or that of the water next to them. The equations of motion do not hold in them
+// (Role::prescribed).
 namespace thalweg {
 
 /// Pressure [Pa] at a place in a zone.
@@ -42,7 +45,7 @@ struct PrescribePass {
   Role* roles;
   const Zone* zones;
   const double* levels;
-  const double* pressures;
+  const BesideOpening* beside;
   const float* speeds;
   Index count;  // of zones
   Scene<Dim> scene;
@@ -58,22 +61,23 @@ struct PrescribePass {
       const InOpening in = in_opening(zone, positions[i].x);
       if (!is_in_zone(zone, in)) continue;
       role = Role::prescribed;
-      prescribe(r, zone, speed(r, zone, in),
-                pressure_in_zone(zone, levels[n], pressures[n], positions[i].x, scene));
+      prescribe(r, zone, speed(r, zone, in, beside[n]),
+                pressure_in_zone(zone, levels[n], beside[n].pressure, positions[i].x, scene));
     }
     roles[i] = role;
   }
 
  private:
   /// Along the flow [m/s].
-  [[nodiscard]] HOST_DEVICE double speed(const Record& r, const Zone& zone, const InOpening& in) const {
+  [[nodiscard]] HOST_DEVICE double speed(const Record& r, const Zone& zone, const InOpening& in,
+                                         const BesideOpening& water) const {
     if (zone.enters) {
       const float given = speeds[column_in(zone, in)];
       return given > 0 ? double(given) : 0;
     }
     double along = 0;
     for (int c = 0; c < 3; ++c) along += double(r.velocity[c]) * zone.flow[c];
-    return along;
+    return along + water.change + water.share * (water.speed - along);
   }
 
   HOST_DEVICE void prescribe(Record& r, const Zone& zone, double along, double pressure) const {
@@ -82,14 +86,17 @@ struct PrescribePass {
   }
 };
 
-/// Volume of the water next to an opening [m^Dim], and its pressure at the opening's centre.
+/// Volume of the water next to an opening [m^Dim], and summed with it the pressure at the opening's centre and the speed
+/// along the flow.
 struct WaterBeside {
   double volume = 0;
-  double pressure = 0;  // summed with the volume
+  double pressure = 0;
+  double speed = 0;
 
   HOST_DEVICE WaterBeside& operator+=(const WaterBeside& other) {
     volume += other.volume;
     pressure += other.pressure;
+    speed += other.speed;
     return *this;
   }
 };
@@ -116,8 +123,7 @@ struct WaterBesidePass {
     const InOpening in = in_opening(*zone, x);
     const double inward = zone->enters ? in.along : -in.along;
     if (!(inward >= 0 && inward < zone->length)) return {};
-    const bool over_edge =
-        in.up >= -zone->half_up && in.across >= -zone->half_across && in.across <= zone->half_across;
+    const bool over_edge = in.up >= -zone->half_up && in.across >= -zone->half_across && in.across <= zone->half_across;
     if (in_section ? !is_in_section(*zone, in, 0) : !over_edge) return {};
     const double volume = double(mass[i]) / double(scene.water_density);
     double at_centre = r.pressure;
@@ -125,9 +131,28 @@ struct WaterBesidePass {
       const int c = axis<Dim>(k);
       at_centre -= double(scene.water_density) * double(scene.gravity[k]) * (x[c] - zone->at[c]);
     }
-    return {volume, at_centre * volume};
+    double speed = 0;
+    for (int c = 0; c < 3; ++c) speed += double(r.velocity[c]) * zone->flow[c];
+    return {volume, at_centre * volume, speed * volume};
   }
 };
+
+/// The water next to an opening after a step of dt [s]. The pressure of a full inlet follows within some passages of
+/// sound, an outlet's particles lose their deviation in four passages of its zone.
+HOST_DEVICE inline BesideOpening after_step(const BesideOpening& before, const WaterBeside& sum, double dt,
+                                            double sound_time, double length) {
+  constexpr double passages_of_sound = 20;
+  constexpr double passages_of_zone = 4;
+  BesideOpening now;
+  const double pressure = sum.volume > 0 ? sum.pressure / sum.volume : 0;
+  const double follows = dt / (passages_of_sound * sound_time);
+  now.pressure = before.pressure + (follows < 1 ? follows : 1) * (pressure - before.pressure);
+  now.speed = sum.volume > 0 ? sum.speed / sum.volume : before.speed;
+  now.change = now.speed - before.speed;
+  const double share = dt * (now.speed > 0 ? now.speed : 0) / (passages_of_zone * length);
+  now.share = share < 1 ? share : 1;
+  return now;
+}
 
 /// Tells which particles of a phase leave through an opening: at an outlet, those behind its plane or its zone; at an
 /// inlet, the columns that have fallen dry, and water that is pushed back into it.

@@ -1,6 +1,6 @@
+#include "solver/models/make.hpp"
 #include "case/models/openings.hpp"
 #include "solver/models/all.hpp"
-#include "solver/models/make.hpp"
 
 namespace thalweg {
 

@@ -16,8 +16,8 @@ constexpr double level_slack = 0.25;
 
 /// One column of an inlet's zone: particles one behind the other, a spacing apart.
 struct Column {
-  double up = 0;      // [m] of its axis, from the centre of the opening
-  double across = 0;  // [m]
+  double up = 0;       // [m] of its axis, from the centre of the opening
+  double across = 0;   // [m]
   bool exists = true;  // false: it lies outside of a round opening
   bool is_full = false;
   double phase = 0;  // [m] way of its first particle since the one before it crossed the plane
@@ -201,8 +201,8 @@ class OpeningsOfCase final : public Openings {
     for (std::size_t n = 0; n < zones_.size(); ++n) {
       const Zone& zone = zones_[n];
       const bool follows = n < inlets_.size() && inlets_[n].inlet.surface == InletSurface::follow;
-      const Opening& opening = n < inlets_.size() ? static_cast<const Opening&>(inlets_[n].inlet)
-                                                  : outlets_[n - inlets_.size()];
+      const Opening& opening =
+          n < inlets_.size() ? static_cast<const Opening&>(inlets_[n].inlet) : outlets_[n - inlets_.size()];
       levels_[n] = follows ? zone.at[2] - zone.half_up + depths_[n] : opening.level_at(time);
     }
   }

@@ -21,9 +21,9 @@ struct OpeningsWork {
 
   std::shared_ptr<Openings> openings;  // null without any
   Buffer<Zone> zones;
-  Buffer<double> levels;      // [m]
-  Buffer<double> pressures;   // [Pa] at the centres of full inlets
-  Buffer<float> speeds;       // [m/s] of the inlets' columns
+  Buffer<double> levels;  // [m]
+  Buffer<BesideOpening> beside;
+  Buffer<float> speeds;  // [m/s] of the inlets' columns
 };
 
 template <class Device>
@@ -35,10 +35,13 @@ void upload_openings(Device& on, OpeningsWork<Device>& work) {
 
 /// The water next to the opening `n`.
 template <int Dim, class Device>
-WaterBesidePass<Dim> water_beside(const Particles<Device>& p, const Scene<Dim>& scene,
-                                  const OpeningsWork<Device>& work, std::size_t n, bool in_section) {
+WaterBesidePass<Dim> water_beside(const Particles<Device>& p, const Scene<Dim>& scene, const OpeningsWork<Device>& work,
+                                  std::size_t n, bool in_section) {
   return {p.record.data(), p.position.data(), p.mass.data(), p.roles(), work.zones.data() + n, in_section, scene};
 }
+
+/// True if the zone follows the water next to it.
+inline bool uses_water_beside(const Zone& zone) { return zone.enters ? zone.is_full : !zone.falls; }
 
 /// Depth of the water next to each opening [m]; 0 at those that do not stand upright.
 template <int Dim, class Device>
@@ -54,6 +57,15 @@ std::vector<double> depths_at_openings(Device& on, const Particles<Device>& p, c
     depths.back() = sum.volume / (zones[n].length * 2 * zones[n].half_across);
   }
   return depths;
+}
+
+/// Mass of the grains that water takes with it where it leaves [kg].
+template <int Dim, class Device>
+double grains_leaving(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, const LeavesThrough& leaving) {
+  if (!scene.suspended_load.on) return 0;
+  const double volume = on.reduce(p.fluid_count, 0.0, GrainsLeaving{p.grains.data(), leaving},
+                                  [] HOST_DEVICE(double a, double b) { return a + b; });
+  return volume * double(scene.erosion.grain_density);
 }
 
 /// Water that enters and leaves: [[inlet]], [[outlet]].
@@ -98,27 +110,24 @@ struct OpeningsModel {
     if (work.openings->set_time(work.time)) upload_openings(step.on, work);
     step.on.for_each(p.fluid_count,
                      PrescribePass<C::dimension>{p.record.data(), p.position.data(), p.role.data(), work.zones.data(),
-                                                 work.levels.data(), work.pressures.data(), work.speeds.data(),
+                                                 work.levels.data(), work.beside.data(), work.speeds.data(),
                                                  static_cast<Index>(work.zones.size()), step.scene});
   }
 
-  /// The pressure of full inlets follows that of the water next to them within some passages of sound.
   template <class C>
   static void after_step(C& step) {
-    constexpr double passages = 20;
-    const double time = passages * step.scene.smoothing_length / double(step.scene.sound_speed);
+    const double sound_time = step.scene.smoothing_length / double(step.scene.sound_speed);
     const StepState* state = step.state;
     const std::vector<Zone>& zones = step.work.openings->zones();
     for (std::size_t n = 0; n < zones.size(); ++n) {
-      if (!zones[n].is_full) continue;
-      double* pressure = step.work.pressures.data() + n;
+      if (!uses_water_beside(zones[n])) continue;
+      BesideOpening* beside = step.work.beside.data() + n;
+      const double length = zones[n].length;
       step.on.reduce_then(
           step.p.fluid_count, WaterBeside{}, water_beside(step.p, step.scene, step.work, n, true),
           [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; },
           [=] HOST_DEVICE(const WaterBeside& sum) {
-            const double share = state->step.dt < time ? state->step.dt / time : 1;
-            const double beside = sum.volume > 0 ? sum.pressure / sum.volume : 0;
-            *pressure += share * (beside - *pressure);
+            *beside = thalweg::after_step(*beside, sum, state->step.dt, sound_time, length);
           });
     }
   }
@@ -141,17 +150,10 @@ struct OpeningsModel {
     work.population.bury(on, p, leaving);
     return work.population.ledger().out - before;
   }
-
-  /// Mass of the grains that they carry [kg].
-  template <class Device, class Scene>
-  static double grains_leaving(Device& on, const Particles<Device>& p, const Scene& scene,
-                               const LeavesThrough& leaving) {
-    if (!scene.suspended_load.on) return 0;
-    const double volume = on.reduce(p.fluid_count, 0.0, GrainsLeaving{p.grains.data(), leaving},
-                                    [] HOST_DEVICE(double a, double b) { return a + b; });
-    return volume * double(scene.erosion.grain_density);
-  }
 };
+
+/// Numbers of BesideOpening in a checkpoint.
+inline constexpr std::size_t numbers_beside = 4;
 
 /// Opens a scene: the particles that inlets hold ready are there from the start, or from a checkpoint on. Throws
 /// InputError for a checkpoint of other openings.
@@ -161,26 +163,35 @@ void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   work.openings = openings;
   const std::vector<Zone>& zones = openings->zones();
   on.upload(HostBuffer<Zone>(zones.begin(), zones.end()), work.zones);
-  HostBuffer<double> pressures(zones.size(), 0.0);
+  HostBuffer<BesideOpening> beside(zones.size());
   Population::open(on, p);
   const auto known = from.facts.find(openings_fact);
   if (known == from.facts.end()) {
+    for (std::size_t n = 0; n < zones.size(); ++n) {
+      const WaterBeside sum = on.reduce(p.count, WaterBeside{}, water_beside(p, scene, work, n, true),
+                                        [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; });
+      if (sum.volume > 0) beside[n].pressure = sum.pressure / sum.volume, beside[n].speed = sum.speed / sum.volume;
+    }
     const Index before = p.count;
     openings->fill(work.time, depths_at_openings(on, p, scene, work), work.population);
     work.population.admit(on, p, scene);
     p.fluid_count += p.count - before;
   } else {
-    std::vector<double> numbers = known->second;
-    const std::size_t others = numbers.size() - std::min(numbers.size(), zones.size());
-    pressures.assign(numbers.begin() + static_cast<std::ptrdiff_t>(others), numbers.end());
-    numbers.resize(others);
-    if (!openings->restored(numbers)) {
+    const std::vector<double>& numbers = known->second;
+    const std::size_t others = numbers.size() - std::min(numbers.size(), numbers_beside * zones.size());
+    const double* next = numbers.data() + others;
+    const std::vector<double> of_openings(numbers.data(), next);
+    if (!openings->restored(of_openings)) {
       throw InputError("the checkpoint's field data " + std::string(openings_fact) +
                        " is not that of these inlets and outlets; start from a whole checkpoint of the same case");
     }
+    for (BesideOpening& water : beside) {
+      water = {next[0], next[1], next[2], next[3]};
+      next += numbers_beside;
+    }
     openings->set_time(work.time);
   }
-  on.upload(std::move(pressures), work.pressures);
+  on.upload(std::move(beside), work.beside);
   upload_openings(on, work);
 }
 
@@ -189,8 +200,9 @@ template <class Device>
 void add_openings(Device& on, const OpeningsWork<Device>& work, ParticleSet& to) {
   std::vector<double>& numbers = to.facts[openings_fact];
   numbers = work.openings->numbers();
-  const auto pressures = on.download(work.pressures);
-  numbers.insert(numbers.end(), pressures.begin(), pressures.end());
+  for (const BesideOpening& water : on.download(work.beside)) {
+    numbers.insert(numbers.end(), {water.pressure, water.speed, water.change, water.share});
+  }
 }
 
 }  // namespace thalweg

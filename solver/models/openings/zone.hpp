@@ -27,6 +27,14 @@ struct Zone {
   Index first_column = 0;
 };
 
+/// The scene's water next to an opening, as the last step has left it.
+struct BesideOpening {
+  double pressure = 0;  // [Pa] at the opening's centre, for full inlets
+  double speed = 0;     // [m/s] along the flow, for outlets
+  double change = 0;    // [m/s] of the speed in the last step
+  double share = 0;     // of its deviation from that speed that a particle in an outlet's zone loses [-]
+};
+
 /// Coordinates of a place in an opening [m].
 struct InOpening {
   double along;
