@@ -1,14 +1,17 @@
 #include "case/scales.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "case/models/openings.hpp"
 #include "common/error.hpp"
 
 namespace thalweg {
 
 double maximum_speed(const Case& resolved, double fluid_height) {
   if (resolved.numerics.maximum_speed > 0) return resolved.numerics.maximum_speed;
-  const double speed = 2 * std::sqrt(resolved.domain.gravity.norm() * fluid_height);
+  double speed = 2 * std::sqrt(resolved.domain.gravity.norm() * fluid_height);
+  for (const Inlet& inlet : resolved.inlets) speed = std::max(speed, largest_inlet_speed(inlet, resolved));
   if (!(speed > 0))
     throw InputError(resolved.file.string() +
                      ": without gravity the sound speed cannot follow from the fluid's height; give "

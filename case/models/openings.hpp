@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "case/models/rule.hpp"
+#include "case/tables/inlet.hpp"
 #include "case/tables/outlet.hpp"
 
 namespace thalweg {
@@ -11,6 +12,9 @@ namespace thalweg {
 /// neighbour lists and two spacings. What crosses the plane finds all its neighbours, also while births wait for new
 /// lists (solver/domain/population.hpp).
 double zone_length(const Case& of);
+
+/// The largest speed with which water enters through an inlet [m/s], profile and hydrograph included.
+double largest_inlet_speed(const Inlet& inlet, const Case& of);
 
 /// True if the water at the level of an outlet would run faster than waves: nothing that is imposed there comes upstream.
 /// Told only where all water leaves through this outlet; false else.

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "case/case.hpp"
+#include "case/models/suspended_load.hpp"
 #include "case/tables/common_checks.hpp"
 #include "case/tables/time_table.hpp"
 #include "common/csv.hpp"
 #include "common/error.hpp"
+#include "physics/transport/rouse.hpp"
 #include "physics/water/log_profile.hpp"
 
 namespace thalweg {
@@ -71,6 +73,27 @@ void check_profile(const Inlet& inlet, const Case& whole, const CheckContext& at
   at.reject(at.key("speeds"), at.key("speeds") + " are all 0", "give the speeds of the water");
 }
 
+void check_grains(const Inlet& inlet, const Case& whole, const CheckContext& at) {
+  if (inlet.grains == InletGrains::none) return;
+  if (!models::SuspendedLoadOfWater::is_on(whole)) {
+    at.reject(at.key("grains"), at.path() + " brings grains, and no water carries any",
+              "write carried_by = \"water\" in [suspended_load]");
+  }
+  if (inlet.uses_key("concentration", at.dimension()) && !(inlet.concentration > 0)) {
+    at.reject(at.key("grains"), at.path() + " brings grains without a concentration",
+              "give concentration, or write grains = \"none\"");
+  }
+  if (inlet.grains != InletGrains::rouse) return;
+  if (!(inlet.reference_height > 0) || inlet.reference_height >= inlet.extent_up()) {
+    at.reject(at.key("grains"), at.path() + " has Rouse's profile without a reference_height inside the opening",
+              "give reference_height, such as a twentieth of the depth");
+  }
+  if (inlet.profile != InletProfile::log_law) {
+    at.reject(at.key("grains"), at.path() + " has Rouse's profile, which belongs to a logarithmic one",
+              "write profile = \"log-law\"");
+  }
+}
+
 bool has_table(const Inlet& inlet) {
   return !inlet.velocities.empty() || !inlet.discharges.empty() || !inlet.flow_rates.empty() || !inlet.levels.empty();
 }
@@ -82,6 +105,9 @@ std::string reason_against(const Inlet& inlet, const std::string& key, const Che
   if (key == "times") return "without a table of velocities, discharges, flow_rates or levels";
   if (key == "roughness" || key == "heights" || key == "speeds") {
     return fmt::format("with profile = \"{}\"", word_for(inlet.profile));
+  }
+  if (key == "concentration" || key == "reference_height") {
+    return fmt::format("with grains = \"{}\"", word_for(inlet.grains));
   }
   if (key == "level" && inlet.surface == InletSurface::level) return "beside levels";
   if (key == "level" || key == "levels") return fmt::format("with surface = \"{}\"", word_for(inlet.surface));
@@ -103,6 +129,8 @@ bool Inlet::uses_key(std::string_view key, int dimension) const {
   if (key == "discharges") return !discharges.empty();
   if (key == "flow_rates") return !flow_rates.empty();
   if (key == "file") return !file.empty();
+  if (key == "concentration") return grains == InletGrains::uniform || grains == InletGrains::rouse;
+  if (key == "reference_height") return grains == InletGrains::rouse;
   if (key == "level") return surface == InletSurface::level && levels.empty();
   if (key == "levels") return surface == InletSurface::level && !levels.empty();
   if (key == "roughness") return profile == InletProfile::log_law;
@@ -133,6 +161,7 @@ void Inlet::check(const Case& whole, const CheckContext& at_table) const {
     }
   }
   check_profile(*this, whole, at_table);
+  check_grains(*this, whole, at_table);
 }
 
 void Inlet::read_files(const std::filesystem::path& folder) {
@@ -185,6 +214,22 @@ double Inlet::shape_at(double height_over_edge, double depth, double mean_veloci
     }
     case InletProfile::table:
       return value_at(heights, speeds, height_over_edge, 0);
+  }
+  return 0;
+}
+
+double Inlet::concentration_at(double height_over_edge, double depth, double mean_velocity, double viscosity,
+                               double settling_velocity) const {
+  switch (grains) {
+    case InletGrains::none:
+    case InletGrains::recirculated:
+      return 0;
+    case InletGrains::uniform:
+      return concentration;
+    case InletGrains::rouse: {
+      const double friction = friction_velocity_of_current(mean_velocity, depth, viscosity, roughness);
+      return concentration * rouse_share(height_over_edge, reference_height, depth, friction, settling_velocity);
+    }
   }
   return 0;
 }

@@ -29,6 +29,17 @@ inline constexpr std::array<Choice<InletProfile>, 3> choices(InletProfile) {
        {InletProfile::table, "table", "in proportion to `speeds` at `heights`, linear between"}}};
 }
 
+/// The words of inlet.grains.
+enum class InletGrains { none, uniform, rouse, recirculated };
+
+inline constexpr std::array<Choice<InletGrains>, 4> choices(InletGrains) {
+  return {{{InletGrains::none, "none", "the water is clear"},
+           {InletGrains::uniform, "uniform", "it carries the same `concentration` everywhere"},
+           {InletGrains::rouse, "rouse",
+            "Rouse's profile over the opening's lower edge, with `concentration` at `reference_height`"},
+           {InletGrains::recirculated, "recirculated", "it brings the grains back that water has taken out"}}};
+}
+
 /// One [[inlet]]: an opening through which water enters.
 struct Inlet : Opening {
   static constexpr TableHeading heading{
@@ -47,6 +58,9 @@ struct Inlet : Opening {
   double roughness = 0;         // [m]
   std::vector<double> heights;  // [m]
   std::vector<double> speeds;   // [m/s]
+  InletGrains grains = InletGrains::none;
+  double concentration = 0;     // [-]
+  double reference_height = 0;  // [m]
 
   template <class V>
   void describe(V& v) {
@@ -68,6 +82,10 @@ struct Inlet : Opening {
     v.quantity("roughness", roughness, "m", 0, 1, "profile = \"log-law\": Nikuradse's roughness of the ground below.");
     v.quantities("heights", heights, "m", 0, 1e6, "profile = \"table\": heights over the opening's lower edge.");
     v.quantities("speeds", speeds, "m/s", 0, 1e3, "profile = \"table\": speeds there; their ratios count.");
+    v.choice("grains", grains, "Grains that the water brings; it needs suspended_load.carried_by = \"water\".");
+    v.number("concentration", concentration, 0, 0.3, "grains = \"uniform\", \"rouse\": volume share of the grains.");
+    v.quantity("reference_height", reference_height, "m", 0, 1e3,
+               "grains = \"rouse\": height over the lower edge at which the water has the concentration, and below.");
   }
 
   [[nodiscard]] bool uses_key(std::string_view key, int dimension) const;
@@ -81,6 +99,9 @@ struct Inlet : Opening {
   /// Relative speed at a height over the lower edge [m] under water of a depth [m] that flows with a mean velocity
   /// [m/s]; viscosity [m^2/s].
   [[nodiscard]] double shape_at(double height, double depth, double mean_velocity, double viscosity) const;
+  /// Volume share of the grains there; settling velocity of one grain [m/s]. Not of those that come back.
+  [[nodiscard]] double concentration_at(double height, double depth, double mean_velocity, double viscosity,
+                                        double settling_velocity) const;
 };
 
 }  // namespace thalweg

@@ -1,5 +1,7 @@
 #include "case/tables/outlet.hpp"
 
+#include <algorithm>
+
 #include "case/case.hpp"
 #include "case/models/openings.hpp"
 #include "case/tables/common_checks.hpp"
@@ -28,6 +30,21 @@ void Outlet::check(const Case& whole, const CheckContext& at_table) const {
   switch (kind) {
     case OutletKind::fall:
       return;
+    case OutletKind::pump: {
+      Outlet standing = *this;
+      standing.level = standing.upper_edge();
+      standing.levels.clear();
+      standing.check_levels(whole, at_table);
+      const auto is_pump = [](const Outlet& outlet) { return outlet.kind == OutletKind::pump; };
+      if (whole.inlets.empty()) {
+        at_table.reject(at_table.key("kind"), at_table.path() + " is a pump, and no inlet brings its water back",
+                        "add an [[inlet]]");
+      }
+      if (std::count_if(whole.outlets.begin(), whole.outlets.end(), is_pump) > 1) {
+        at_table.reject(at_table.key("kind"), at_table.path() + " is a second pump", "let one outlet be the pump");
+      }
+      return;
+    }
     case OutletKind::level: {
       const int given = (at_table.given("level") ? 1 : 0) + (levels.empty() ? 0 : 1) + (file.empty() ? 0 : 1);
       if (given == 0) {

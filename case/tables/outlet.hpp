@@ -11,11 +11,13 @@
 namespace thalweg {
 
 /// The words of outlet.kind.
-enum class OutletKind { fall, level };
+enum class OutletKind { fall, level, pump };
 
-inline constexpr std::array<Choice<OutletKind>, 2> choices(OutletKind) {
+inline constexpr std::array<Choice<OutletKind>, 3> choices(OutletKind) {
   return {{{OutletKind::fall, "fall", "what crosses the plane is gone, and nothing holds it back"},
-           {OutletKind::level, "level", "water beyond the plane stands at `level`: the tail water of a channel"}}};
+           {OutletKind::level, "level", "water beyond the plane stands at `level`: the tail water of a channel"},
+           {OutletKind::pump, "pump",
+            "as much water leaves as the inlets bring, whatever its level: what leaves enters again"}}};
 }
 
 /// One [[outlet]]: an opening through which water and sediment leave.

@@ -274,7 +274,7 @@ void Shape::check_all(const Case& whole, const CheckContext& at) {
   const bool has_fluid = std::any_of(whole.shapes.begin(), whole.shapes.end(), [](const Shape& s) {
     return s.role == ShapeRole::water || s.role == ShapeRole::sediment;
   });
-  if (!has_fluid) {
+  if (!has_fluid && whole.inlets.empty()) {
     at.reject(at.path(), "no shape has the role water or sediment", "add one, or there is nothing to move");
   }
 }

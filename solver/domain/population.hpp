@@ -28,6 +28,7 @@ struct Newborn {
   float mass = 0;                 // [kg]
   float excess = 0;               // rho/rho0 - 1 [-]
   float viscosity = 0;            // [Pa s]
+  double grains = 0;              // [m^dim] that water carries
   float kind = kind::water;
   std::uint8_t type = 2;  // ParticleType::water
   Role role = Role::integrated;
@@ -76,7 +77,7 @@ class Population {
   std::vector<Newborn> waiting_;
 };
 
-/// Names of a checkpoint's facts: next id and ledger; and those who wait to be born, twelve numbers each.
+/// Names of a checkpoint's facts: next id and ledger; and those who wait to be born, thirteen numbers each.
 namespace checkpoint_fact {
 inline constexpr const char* population = "Population";
 inline constexpr const char* waiting = "WaitingToBeBorn";
@@ -98,7 +99,7 @@ inline Population Population::of(const ParticleSet& from) {
   made.ledger_ = {numbers[1], numbers[2], numbers[3]};
   const auto waiting = from.facts.find(checkpoint_fact::waiting);
   if (waiting == from.facts.end()) return made;
-  constexpr std::size_t each = 12;
+  constexpr std::size_t each = 13;
   for (std::size_t at = 0; at + each <= waiting->second.size(); at += each) {
     const double* n = waiting->second.data() + at;
     Newborn b;
@@ -109,6 +110,7 @@ inline Population Population::of(const ParticleSet& from) {
     b.kind = static_cast<float>(n[9]);
     b.type = static_cast<std::uint8_t>(n[10]);
     b.role = static_cast<Role>(static_cast<std::uint8_t>(n[11]));
+    b.grains = n[12];
     made.waiting_.push_back(b);
   }
   return made;
@@ -122,7 +124,7 @@ inline void Population::add_to(ParticleSet& out) const {
     numbers.insert(numbers.end(), b.position.x, b.position.x + 3);
     numbers.insert(numbers.end(), b.velocity, b.velocity + 3);
     numbers.insert(numbers.end(), {double(b.mass), double(b.excess), double(b.viscosity), double(b.kind),
-                                   double(b.type), double(static_cast<std::uint8_t>(b.role))});
+                                   double(b.type), double(static_cast<std::uint8_t>(b.role)), b.grains});
   }
 }
 
@@ -190,6 +192,7 @@ void Population::admit(Device& on, Particles<Device>& p, const Scene<Dim>& scene
   HostBuffer<std::int64_t> ids(more);
   HostBuffer<std::uint8_t> types(more);
   HostBuffer<Role> roles(more);
+  HostBuffer<double> grains(more);
   for (std::size_t n = 0; n < more; ++n) {
     const Newborn& b = waiting_[n];
     Record& r = records[n];
@@ -205,6 +208,7 @@ void Population::admit(Device& on, Particles<Device>& p, const Scene<Dim>& scene
     ids[n] = next_id_++;
     types[n] = b.type;
     roles[n] = b.role;
+    grains[n] = b.grains;
     ledger_.in += double(b.mass);
   }
   EachArray grow(sorted,
@@ -216,6 +220,7 @@ void Population::admit(Device& on, Particles<Device>& p, const Scene<Dim>& scene
   write_behind(on, p.id, before, std::move(ids));
   write_behind(on, p.type, before, std::move(types));
   write_behind(on, p.role, before, std::move(roles));
+  if (scene.water_has_grains) write_behind(on, p.grains, before, std::move(grains));
   p.count += static_cast<Index>(more);
   waiting_.clear();
 }

@@ -17,7 +17,7 @@
 
 namespace thalweg {
 
-/// What history.csv has beside the columns of every run.
+/// The columns of history.csv beside the columns of every run.
 struct HistoryColumns {
   bool current = false;               // velocity and drive of a driven flow
   std::vector<std::string> openings;  // names of inlets, then outlets
@@ -38,7 +38,7 @@ class RunOutput {
 
   /// Opens the tables and the series; a benchmark does not. `continued_at` [s]: rows and snapshots up to that time are
   /// kept; without it the folder holds no results. `gauge_heading` is the heading of gauges.csv; without one there is no
-  /// such file. `columns`: what history.csv has beside those of every run.
+  /// such file. `columns`: those of history.csv beside those of every run.
   void open(std::optional<double> continued_at, const std::string& gauge_heading, const HistoryColumns& columns);
 
   void snapshot(Simulation& simulation, const RunClock& clock);

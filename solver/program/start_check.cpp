@@ -47,7 +47,7 @@ class Checker {
     if (p_.density.size() != n || p_.mass.size() != n) {
       reject("arrays Density and Mass are needed to start", "write them, or fill the scene with gencase");
     }
-    if (std::none_of(p_.type.begin(), p_.type.end(), is_fluid)) {
+    if (scene.inlets.empty() && std::none_of(p_.type.begin(), p_.type.end(), is_fluid)) {
       reject("holds walls only, neither water nor sediment", "give a shape with the role of a fluid");
     }
     if (!scene.motions.empty()) motions(scene.motions.size());

@@ -39,7 +39,7 @@ class Simulation {
   virtual Totals totals() = 0;
   /// Mass that came in, went out and was lost since the start.
   virtual MassLedger ledger() const = 0;
-  /// What passed each opening since the start; empty without openings.
+  /// Mass that passed each opening since the start; empty without openings.
   virtual std::vector<OpeningFlux> openings() const = 0;
   virtual SimulationFacts facts() = 0;
   virtual const Timing& timing() const = 0;

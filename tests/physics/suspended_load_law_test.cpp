@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "physics/transport/rouse.hpp"
+
 namespace thalweg {
 namespace {
 
@@ -58,6 +60,15 @@ TEST(SuspendedLoadLaw, WithoutEddiesABedReceivesWhatSettles) {
 TEST(SuspendedLoadLaw, RousesProfileNeedsNoFluxWhereTheDepthIsKnown) {
   const double P = 0.02 / (0.41 * 0.05);
   EXPECT_NEAR(flux_from_bed(0.1, 0.1 * std::pow(0.5 * 0.001 / 0.05, P), 0.02, 0.05, 0.05, 0.001, 0.5), 0, 1e-9);
+}
+
+// P = 0.018/(0.41 x 0.044) = 0.99778; half the depth over a twentieth: (1 x 1/19)^P.
+TEST(RousesProfile, IsOneAtTheReferenceAndZeroAtTheSurface) {
+  EXPECT_NEAR(rouse_share(0.05, 0.005, 0.1, 0.044, 0.018), std::pow(1.0 / 19, 0.018 / (0.41 * 0.044)), 1e-12);
+  EXPECT_NEAR(rouse_share(0.05, 0.005, 0.1, 0.044, 0.018), 0.052976, 1e-6);
+  EXPECT_EQ(rouse_share(0.002, 0.005, 0.1, 0.044, 0.018), 1);
+  EXPECT_EQ(rouse_share(0.1, 0.005, 0.1, 0.044, 0.018), 0);
+  EXPECT_EQ(rouse_share(0.05, 0.005, 0.1, 0.0, 0.018), 0);
 }
 
 // w -> 0: kappa u* (C_r - C)/ln(z/a) = 0.0205 * 0.09/ln 5

@@ -61,7 +61,7 @@ struct PrescribePass {
       const InOpening in = in_opening(zone, positions[i].x);
       if (!is_in_zone(zone, in)) continue;
       role = Role::prescribed;
-      prescribe(r, zone, speed(r, zone, in, beside[n]),
+      prescribe(r, zone, speed(r, zone, in, beside[n], was_prescribed),
                 pressure_in_zone(zone, levels[n], beside[n].pressure, positions[i].x, scene));
     }
     roles[i] = role;
@@ -70,13 +70,14 @@ struct PrescribePass {
  private:
   /// Along the flow [m/s].
   [[nodiscard]] HOST_DEVICE double speed(const Record& r, const Zone& zone, const InOpening& in,
-                                         const BesideOpening& water) const {
+                                         const BesideOpening& water, bool was_prescribed) const {
     if (zone.enters) {
       const float given = speeds[column_in(zone, in)];
       return given > 0 ? double(given) : 0;
     }
     double along = 0;
     for (int c = 0; c < 3; ++c) along += double(r.velocity[c]) * zone.flow[c];
+    if (!was_prescribed) return along + water.entry;
     return along + water.change + water.share * (water.speed - along);
   }
 
@@ -138,18 +139,21 @@ struct WaterBesidePass {
 };
 
 /// The water next to an opening after a step of dt [s]. The pressure of a full inlet follows within some passages of
-/// sound, an outlet's particles lose their deviation in four passages of its zone.
+/// sound, an outlet's particles lose their deviation in four passages of its zone. `takes`: volume per time of a pump
+/// [m^3/s] (2-D: [m^2/s]).
 HOST_DEVICE inline BesideOpening after_step(const BesideOpening& before, const WaterBeside& sum, double dt,
-                                            double sound_time, double length) {
+                                            double sound_time, const Zone& zone, double takes) {
   constexpr double passages_of_sound = 20;
   constexpr double passages_of_zone = 4;
   BesideOpening now;
   const double pressure = sum.volume > 0 ? sum.pressure / sum.volume : 0;
   const double follows = dt / (passages_of_sound * sound_time);
   now.pressure = before.pressure + (follows < 1 ? follows : 1) * (pressure - before.pressure);
-  now.speed = sum.volume > 0 ? sum.speed / sum.volume : before.speed;
+  const double speed = sum.volume > 0 ? sum.speed / sum.volume : before.speed;
+  now.speed = zone.pumps && sum.volume > 0 ? takes * zone.length / sum.volume : speed;
+  now.entry = zone.pumps ? now.speed - speed : 0;
   now.change = now.speed - before.speed;
-  const double share = dt * (now.speed > 0 ? now.speed : 0) / (passages_of_zone * length);
+  const double share = dt * (now.speed > 0 ? now.speed : 0) / (passages_of_zone * zone.length);
   now.share = share < 1 ? share : 1;
   return now;
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "case/models/openings.hpp"
-#include "case/scales.hpp"
+#include "case/models/suspended_load.hpp"
+#include "physics/transport/lift_settling.hpp"
 #include "physics/water/equation_of_state.hpp"
 
 namespace thalweg {
@@ -64,29 +66,43 @@ class OpeningsOfCase final : public Openings {
         stiffness_(tait_stiffness(of.water.density, of.numerics.sound_speed_factor * of.numerics.maximum_speed)),
         layers_(static_cast<int>(std::floor(zone_length(of) / of.numerics.spacing))),
         outlets_(of.outlets) {
+    if (models::SuspendedLoadOfWater::is_on(of)) {
+      const SedimentParameters& grain = of.sediment();
+      grain_density_ = grain.grain_density;
+      const double size = dimensionless_diameter(grain.grain_diameter, grain.grain_density, of.water.density, gravity_,
+                                                 of.water.viscosity);
+      settling_velocity_ = settling_velocity(size, grain.grain_diameter, viscosity_);
+    }
     for (const Inlet& inlet : of.inlets) add(inlet, of);
     for (const Outlet& outlet : outlets_) {
       Zone zone = zone_of(outlet, of);
       zone.falls = outlet.kind == OutletKind::fall;
+      zone.pumps = outlet.kind == OutletKind::pump;
       zones_.push_back(zone);
       names_.push_back(outlet.name);
     }
     levels_.resize(zones_.size());
+    takes_.resize(zones_.size());
     water_.resize(zones_.size());
     sediment_.resize(zones_.size());
     grains_.resize(zones_.size());
     depths_.resize(zones_.size());
     waiting_.resize(zones_.size());
+    waiting_grains_.resize(zones_.size());
+    rates_.resize(zones_.size());
+    means_.resize(zones_.size());
     speeds_.assign(columns_.size(), dry_column);
   }
 
   [[nodiscard]] const std::vector<Zone>& zones() const override { return zones_; }
   [[nodiscard]] const std::vector<double>& levels() const override { return levels_; }
+  [[nodiscard]] const std::vector<double>& takes() const override { return takes_; }
   [[nodiscard]] const std::vector<float>& speeds() const override { return speeds_; }
 
   void fill(double time, const std::vector<double>& depths, Population& population) override {
     depths_ = depths;
     set_levels(time);
+    set_returning();
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       const InletColumns& of = inlets_[n];
       for (std::size_t c = of.first; c < of.first + of.count; ++c) {
@@ -99,17 +115,22 @@ class OpeningsOfCase final : public Openings {
         column.is_full = full;
       }
     }
+    if (!water_of_pump_) water_of_pump_ = net_water();
     set_speeds(time);
     // Those that wait are let in with the lists that are made next.
-    for (std::size_t n = 0; n < inlets_.size(); ++n) water_[n] += waiting_[n], waiting_[n] = 0;
+    for (std::size_t n = 0; n < inlets_.size(); ++n) {
+      water_[n] += waiting_[n], waiting_[n] = 0;
+      grains_[n] += waiting_grains_[n], waiting_grains_[n] = 0;
+    }
   }
 
   bool set_time(double time) override {
     const std::vector<float> before = speeds_;
     const std::vector<double> levels = levels_;
+    const std::vector<double> takes = takes_;
     set_levels(time);
     set_speeds(time);
-    return before != speeds_ || levels != levels_;
+    return before != speeds_ || levels != levels_ || takes != takes_;
   }
 
   void advance(double dt, Population& population) override {
@@ -145,18 +166,21 @@ class OpeningsOfCase final : public Openings {
   }
 
   [[nodiscard]] std::vector<double> numbers() const override {
-    std::vector<double> out;
+    std::vector<double> out{returning_, water_of_pump_.value_or(0)};
     for (std::size_t n = 0; n < zones_.size(); ++n) {
-      out.insert(out.end(), {water_[n], sediment_[n], grains_[n], depths_[n], levels_[n], waiting_[n]});
+      out.insert(out.end(),
+                 {water_[n], sediment_[n], grains_[n], depths_[n], levels_[n], waiting_[n], waiting_grains_[n]});
     }
     for (const Column& column : columns_) out.insert(out.end(), {column.is_full ? 1.0 : 0.0, column.phase});
     return out;
   }
 
   [[nodiscard]] bool restored(const std::vector<double>& numbers) override {
-    constexpr std::size_t of_zone = 6;
-    if (numbers.size() != of_zone * zones_.size() + 2 * columns_.size()) return false;
+    constexpr std::size_t of_zone = 7;
+    if (numbers.size() != 2 + of_zone * zones_.size() + 2 * columns_.size()) return false;
     const double* next = numbers.data();
+    returning_ = *next++;
+    water_of_pump_ = *next++;
     for (std::size_t n = 0; n < zones_.size(); ++n, next += of_zone) {
       water_[n] = next[0];
       sediment_[n] = next[1];
@@ -164,6 +188,7 @@ class OpeningsOfCase final : public Openings {
       depths_[n] = next[3];
       levels_[n] = next[4];
       waiting_[n] = next[5];
+      waiting_grains_[n] = next[6];
     }
     for (Column& column : columns_) {
       column.is_full = *next++ != 0;
@@ -200,7 +225,7 @@ class OpeningsOfCase final : public Openings {
   void set_levels(double time) {
     for (std::size_t n = 0; n < zones_.size(); ++n) {
       const Zone& zone = zones_[n];
-      const bool follows = n < inlets_.size() && inlets_[n].inlet.surface == InletSurface::follow;
+      const bool follows = zone.pumps || (n < inlets_.size() && inlets_[n].inlet.surface == InletSurface::follow);
       const Opening& opening =
           n < inlets_.size() ? static_cast<const Opening&>(inlets_[n].inlet) : outlets_[n - inlets_.size()];
       levels_[n] = follows ? zone.at[2] - zone.half_up + depths_[n] : opening.level_at(time);
@@ -223,12 +248,16 @@ class OpeningsOfCase final : public Openings {
 
   /// The discharge as the inlet has it, spread over the columns that are full.
   void set_speeds(double time) {
+    double entering = 0;
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       const InletColumns& of = inlets_[n];
       double area = 0;
       for (std::size_t c = of.first; c < of.first + of.count; ++c) area += columns_[c].is_full ? of.cell : 0;
       const double rate = of.inlet.flow_rate_at(time, area, dimension_);
       const double mean = area > 0 ? rate / area : 0;
+      rates_[n] = area > 0 ? rate : 0;
+      means_[n] = mean;
+      entering += rates_[n];
       double shaped = 0;
       std::vector<double> shape(of.count, 0.0);
       for (std::size_t c = 0; c < of.count; ++c) {
@@ -242,6 +271,34 @@ class OpeningsOfCase final : public Openings {
         speeds_[of.first + c] = runs ? static_cast<float>(shaped > 0 ? rate * shape[c] / shaped : 0) : dry_column;
       }
     }
+    // A pump makes up for what it has taken too little or too much within some seconds.
+    constexpr double time_of_pump = 2;  // [s]
+    const double surplus = net_water() - water_of_pump_.value_or(net_water());
+    const double taking = std::max(0.0, entering + surplus / (density_ * time_of_pump));
+    for (std::size_t n = inlets_.size(); n < zones_.size(); ++n) takes_[n] = zones_[n].pumps ? taking : 0;
+  }
+
+  /// Water that has come in since the start, less what has gone out [kg].
+  [[nodiscard]] double net_water() const {
+    double net = 0;
+    for (std::size_t n = 0; n < zones_.size(); ++n) net += water_[n] + waiting_[n];
+    return net;
+  }
+
+  /// Grains that have left and not come back return within a second.
+  void set_returning() {
+    double gone = 0;
+    for (std::size_t n = 0; n < zones_.size(); ++n) gone -= grains_[n] + waiting_grains_[n];
+    constexpr double time = 1;  // [s]
+    returning_ = grain_density_ > 0 ? std::max(0.0, gone) / grain_density_ / time : 0;
+  }
+
+  /// Volume share of the grains in a column.
+  [[nodiscard]] double concentration_in(std::size_t n, const Column& column) const {
+    const Inlet& inlet = inlets_[n].inlet;
+    if (inlet.grains == InletGrains::recirculated) return rates_[n] > 0 ? returning_ / rates_[n] : 0;
+    return inlet.concentration_at(column.up + zones_[n].half_up, depth_in(n), means_[n], viscosity_,
+                                  settling_velocity_);
   }
 
   /// A particle of a column, `layer` spacings behind its first.
@@ -258,29 +315,40 @@ class OpeningsOfCase final : public Openings {
     newborn.excess = static_cast<float>(excess);
     newborn.mass = static_cast<float>(density_ * (1 + excess) * inlets_[n].cell * spacing_);
     newborn.role = Role::prescribed;
+    const double concentration = concentration_in(n, column);
+    newborn.grains = concentration * inlets_[n].cell * spacing_;
     population.bear(newborn);
     waiting_[n] += double(newborn.mass);
+    waiting_grains_[n] += newborn.grains * grain_density_;
   }
 
   int dimension_;
-  double spacing_;    // [m]
-  double density_;    // [kg/m^3]
-  double viscosity_;  // [m^2/s]
-  double gravity_;    // [m/s^2]
-  double stiffness_;  // [Pa]
-  int layers_;        // particles of a column
+  double spacing_;                // [m]
+  double density_;                // [kg/m^3]
+  double viscosity_;              // [m^2/s]
+  double gravity_;                // [m/s^2]
+  double stiffness_;              // [Pa]
+  int layers_;                    // particles of a column
+  double grain_density_ = 0;      // [kg/m^3] 0 where water carries no grains
+  double settling_velocity_ = 0;  // [m/s] of one grain
   std::vector<Outlet> outlets_;
   std::vector<InletColumns> inlets_;
   std::vector<Column> columns_;  // of all inlets
   std::vector<Zone> zones_;
   std::vector<double> levels_;  // [m]
   std::vector<std::string> names_;
-  std::vector<float> speeds_;     // [m/s] of the columns
-  std::vector<double> water_;     // [kg] that has come in, less what has gone out
-  std::vector<double> sediment_;  // [kg]
-  std::vector<double> grains_;    // [kg] that water carries
-  std::vector<double> waiting_;   // [kg] of inlets: born and not yet let in
-  std::vector<double> depths_;    // [m] of the scene's water next to the openings
+  std::vector<float> speeds_;            // [m/s] of the columns
+  std::vector<double> takes_;            // [m^3/s] of pumps (2-D: [m^2/s])
+  std::vector<double> rates_;            // [m^3/s] of inlets (2-D: [m^2/s])
+  std::vector<double> means_;            // [m/s] mean velocities of inlets
+  std::optional<double> water_of_pump_;  // [kg] net_water() that a pump keeps
+  double returning_ = 0;                 // [m^3/s] grains that come back (2-D: [m^2/s])
+  std::vector<double> water_;            // [kg] that has come in, less what has gone out
+  std::vector<double> sediment_;         // [kg]
+  std::vector<double> grains_;           // [kg] that water carries
+  std::vector<double> waiting_;          // [kg] of inlets: born and not yet let in
+  std::vector<double> waiting_grains_;   // [kg]
+  std::vector<double> depths_;           // [m] of the scene's water next to the openings
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ struct OpeningsWork {
   std::shared_ptr<Openings> openings;  // null without any
   Buffer<Zone> zones;
   Buffer<double> levels;  // [m]
+  Buffer<double> takes;   // [m^3/s] that pumps take (2-D: [m^2/s])
   Buffer<BesideOpening> beside;
   Buffer<float> speeds;  // [m/s] of the inlets' columns
 };
@@ -30,6 +31,7 @@ template <class Device>
 void upload_openings(Device& on, OpeningsWork<Device>& work) {
   const Openings& openings = *work.openings;
   on.upload(HostBuffer<double>(openings.levels().begin(), openings.levels().end()), work.levels);
+  on.upload(HostBuffer<double>(openings.takes().begin(), openings.takes().end()), work.takes);
   on.upload(HostBuffer<float>(openings.speeds().begin(), openings.speeds().end()), work.speeds);
 }
 
@@ -122,12 +124,13 @@ struct OpeningsModel {
     for (std::size_t n = 0; n < zones.size(); ++n) {
       if (!uses_water_beside(zones[n])) continue;
       BesideOpening* beside = step.work.beside.data() + n;
-      const double length = zones[n].length;
+      const double* takes = step.work.takes.data() + n;
+      const Zone zone = zones[n];
       step.on.reduce_then(
           step.p.fluid_count, WaterBeside{}, water_beside(step.p, step.scene, step.work, n, true),
           [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; },
           [=] HOST_DEVICE(const WaterBeside& sum) {
-            *beside = thalweg::after_step(*beside, sum, state->step.dt, sound_time, length);
+            *beside = thalweg::after_step(*beside, sum, state->step.dt, sound_time, zone, *takes);
           });
     }
   }
@@ -153,7 +156,7 @@ struct OpeningsModel {
 };
 
 /// Numbers of BesideOpening in a checkpoint.
-inline constexpr std::size_t numbers_beside = 4;
+inline constexpr std::size_t numbers_beside = 5;
 
 /// Opens a scene: the particles that inlets hold ready are there from the start, or from a checkpoint on. Throws
 /// InputError for a checkpoint of other openings.
@@ -186,7 +189,7 @@ void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
                        " is not that of these inlets and outlets; start from a whole checkpoint of the same case");
     }
     for (BesideOpening& water : beside) {
-      water = {next[0], next[1], next[2], next[3]};
+      water = {next[0], next[1], next[2], next[3], next[4]};
       next += numbers_beside;
     }
     openings->set_time(work.time);
@@ -201,7 +204,7 @@ void add_openings(Device& on, const OpeningsWork<Device>& work, ParticleSet& to)
   std::vector<double>& numbers = to.facts[openings_fact];
   numbers = work.openings->numbers();
   for (const BesideOpening& water : on.download(work.beside)) {
-    numbers.insert(numbers.end(), {water.pressure, water.speed, water.change, water.share});
+    numbers.insert(numbers.end(), {water.pressure, water.speed, water.change, water.entry, water.share});
   }
 }
 

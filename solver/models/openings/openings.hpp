@@ -21,6 +21,8 @@ class Openings {
   [[nodiscard]] virtual const std::vector<Zone>& zones() const = 0;
   /// z of the water's surface at each [m]; means nothing at full inlets and falls.
   [[nodiscard]] virtual const std::vector<double>& levels() const = 0;
+  /// Volume per time that each takes as a pump [m^3/s] (2-D: [m^2/s]); 0 of others.
+  [[nodiscard]] virtual const std::vector<double>& takes() const = 0;
   /// Speed of every column of the inlets [m/s]; dry_column where no water enters.
   [[nodiscard]] virtual const std::vector<float>& speeds() const = 0;
 

@@ -19,6 +19,7 @@ struct Zone {
   double spacing = 0;    // [m]
   bool enters = false;   // an inlet
   bool falls = false;    // an outlet that holds nothing back
+  bool pumps = false;    // an outlet that takes a given volume per time
   bool is_full = false;  // an inlet without a surface: its pressure follows that of the water next to it
   bool upright = false;  // water has a depth in it
   // Columns of an inlet's particles along the flow, and the first of them in the table of all inlets.
@@ -30,8 +31,9 @@ struct Zone {
 /// The scene's water next to an opening, as the last step has left it.
 struct BesideOpening {
   double pressure = 0;  // [Pa] at the opening's centre, for full inlets
-  double speed = 0;     // [m/s] along the flow, for outlets
+  double speed = 0;     // [m/s] along the flow, for outlets; of a pump, with which it takes the water
   double change = 0;    // [m/s] of the speed in the last step
+  double entry = 0;     // [m/s] that water gains where it crosses a pump's plane
   double share = 0;     // of its deviation from that speed that a particle in an outlet's zone loses [-]
 };
 

@@ -48,8 +48,8 @@ TEST(DeviceResident, StepsAreTheSameWhenTheyAreRepeatedAsOne) {
   for (const DeviceScene& s : resident_scenes()) {
     SCOPED_TRACE(s.name);
     const auto repeating = simulation_on<Guarded>(s, s.particles);
-    const auto plain = std::visit(
-        [&](const auto& scene) { return Maker<Guarded>::make(scene, s.particles, s.motions, true); }, s.scene);
+    const auto plain =
+        std::visit([&](const auto& scene) { return Maker<Guarded>::make(scene, s.particles, s, true); }, s.scene);
     const int before = GuardedRuntime::Recording::replays();
     for (int n = 0; n < s.steps; ++n) {
       const StepReport a = repeating->advance(1e-4);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "solver/models/openings/make_openings.hpp"
 #include "tests/solver/pvc_grains.hpp"
 
 namespace thalweg::test {
@@ -135,6 +136,32 @@ void feel_walls(Scene<2>& s) {
   s.wall_stress = {true, 1e-6F, 0.1F, 1};
 }
 
+/// Water that runs over a floor from an inlet to a tail water.
+DeviceScene open_channel() {
+  DeviceScene s = tank<2>("openings");
+  Scene<2>& scene = plane(s);
+  scene.has_sediment = false;
+  scene.has_openings = true;
+  const ParticleSet all =
+      fill_lattice(scene, [](const Vec3& x) { return x.z() < 0.03 ? ParticleType::wall : ParticleType::water; });
+  s.particles = {};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Vec3& x = all.position[i];
+    const bool water = all.type[i] == ParticleType::water;
+    if (water && (x.x() < 0.06 || x.x() > 0.19 || x.z() > 0.11)) continue;
+    s.particles.id.push_back(all.id[i]);
+    s.particles.type.push_back(all.type[i]);
+    s.particles.position.push_back(x);
+    s.particles.density.push_back(all.density[i]);
+    s.particles.mass.push_back(all.mass[i]);
+    s.particles.velocity.emplace_back(water ? 0.5F : 0, 0, 0);
+    s.particles.pressure.push_back(0);
+  }
+  s.steps = 40;
+  s.has_openings = true;
+  return s;
+}
+
 /// A driven current with the eddies of a mixing length.
 void drive_a_current(Scene<2>& s) {
   feel_walls(s);
@@ -168,11 +195,41 @@ std::vector<DeviceScene> device_scenes() {
           with(slump, "shifting", [](Scene<2>& s) { use_shifting(s); }),
           with(slump, "acoustic damper", damp_sound),
           with(mixture(), "mixture with acoustic damper", damp_sound),
+          open_channel(),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
             s.pores.consolidation = 1e-3F;
             s.pores.stiffness = 1300.0F * 20 * 20;
           })};
+}
+
+std::shared_ptr<Openings> DeviceScene::openings() const {
+  if (!has_openings) return nullptr;
+  Case of;
+  of.info.dimension = 2;
+  of.numerics.spacing = 0.01;
+  of.numerics.smoothing_ratio = 1.5;
+  of.numerics.list_skin = 0.1;
+  of.numerics.sound_speed_factor = 10;
+  of.numerics.maximum_speed = 2;
+  of.water.density = 1000;
+  of.water.viscosity = 1e-3;
+  Inlet& inlet = of.inlets.emplace_back();
+  inlet.name = "west";
+  inlet.at = Vec3(0.06, 0, 0.08);
+  inlet.direction = Vec3::UnitX();
+  inlet.height = 0.1;
+  inlet.velocity = 0.5;
+  inlet.surface = InletSurface::level;
+  inlet.level = 0.11;
+  Outlet& outlet = of.outlets.emplace_back();
+  outlet.name = "east";
+  outlet.at = Vec3(0.14, 0, 0.08);
+  outlet.direction = Vec3::UnitX();
+  outlet.height = 0.1;
+  outlet.kind = OutletKind::level;
+  outlet.level = 0.11;
+  return make_openings(of);
 }
 
 Difference difference(const ParticleSet& start, const ParticleSet& a, const ParticleSet& b) {
@@ -182,6 +239,8 @@ Difference difference(const ParticleSet& start, const ParticleSet& a, const Part
   for (std::size_t i = 0; i < b.size(); ++i) in_b[b.id[i]] = i;
   Difference d;
   for (std::size_t i = 0; i < start.size(); ++i) {
+    // Particles may have left through an opening, in both or in none.
+    if (!in_a.contains(start.id[i]) && !in_b.contains(start.id[i])) continue;
     const std::size_t at_a = in_a.at(start.id[i]);
     const std::size_t at_b = in_b.at(start.id[i]);
     d.moved = std::max(d.moved, (a.position[at_a] - start.position[i]).norm());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct DeviceScene {
   ParticleSet particles;
   int steps = 20;
   std::vector<WallMotion> motions = {};
+  bool has_openings = false;
+
+  /// Those of the scene, fresh for a simulation; null without any.
+  [[nodiscard]] std::shared_ptr<Openings> openings() const;
 };
 
 /// Scenes that together go through every pass.

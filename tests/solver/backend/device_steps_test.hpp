@@ -16,16 +16,17 @@ namespace thalweg::test {
 template <class Device>
 struct Maker {
   template <int Dim>
-  static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from,
-                                          const std::vector<WallMotion>& motions, bool profile = false) {
-    return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from, profile, motions);
+  static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from, const DeviceScene& of,
+                                          bool profile = false) {
+    return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from, profile, of.motions,
+                                                       of.openings());
   }
 };
 
 /// A simulation of a scene made by hand, on Device.
 template <class Device>
 std::unique_ptr<Simulation> simulation_on(const DeviceScene& s, const ParticleSet& from) {
-  return std::visit([&](const auto& scene) { return Maker<Device>::make(scene, from, s.motions); }, s.scene);
+  return std::visit([&](const auto& scene) { return Maker<Device>::make(scene, from, s); }, s.scene);
 }
 
 template <class Device>
@@ -38,7 +39,8 @@ TYPED_TEST_P(StepsOnDevice, StepsAsTheOpenMpBackendDoes) {
   // shows as a good part of the way the particles go.
   for (const DeviceScene& s : device_scenes()) {
     SCOPED_TRACE(s.name);
-    const auto reference = make_simulation({s.scene, &s.particles, 1, false, s.motions}, "openmp", "baseline");
+    const auto reference =
+        make_simulation({s.scene, &s.particles, 1, false, s.motions, false, s.openings()}, "openmp", "baseline");
     const auto tested = simulation_on<TypeParam>(s, s.particles);
     for (int n = 0; n < s.steps; ++n) {
       ASSERT_FALSE(reference->advance(1e-4).diverged);

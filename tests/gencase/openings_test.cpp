@@ -1,0 +1,70 @@
+#include "gencase/openings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/gencase/scene.hpp"
+
+// Inlets and outlets in a filled scene: zones are cleared, and what stands in their way is refused.
+namespace thalweg::gencase::test {
+namespace {
+
+/// A floor under water, an inlet at x = 0 and an outlet at x = 0.4 m; their zones are 3.3 + 2 spacings long.
+Case channel() {
+  Case scene = empty_scene(2, 0.01);
+  add_box(scene, "floor", ShapeRole::wall, Vec3(-0.2, 0, -0.05), Vec3(0.6, 0, 0));
+  add_box(scene, "water", ShapeRole::water, Vec3(-0.1, 0, 0), Vec3(0.45, 0, 0.1));
+  Inlet& inlet = scene.inlets.emplace_back();
+  inlet.name = "west";
+  inlet.at = Vec3(0, 0, 0.1);
+  inlet.direction = Vec3::UnitX();
+  inlet.height = 0.2;
+  inlet.velocity = 0.4;
+  Outlet& outlet = scene.outlets.emplace_back();
+  outlet.name = "east";
+  outlet.at = Vec3(0.4, 0, 0.1);
+  outlet.direction = Vec3::UnitX();
+  outlet.height = 0.2;
+  outlet.kind = OutletKind::level;
+  outlet.level = 0.1;
+  return scene;
+}
+
+TEST(Openings, ClearTheZonesOfInlets) {
+  const Generated generated = generate(channel());
+  // All of 10 columns upstream of the plane and nothing else: 45 columns of 10 nodes are left.
+  EXPECT_EQ(count(generated.particles, ParticleType::water), 450);
+  for (std::size_t i = 0; i < generated.particles.size(); ++i) {
+    if (generated.particles.type[i] == ParticleType::water) EXPECT_GT(generated.particles.position[i].x(), 0);
+  }
+}
+
+TEST(Openings, RaiseTheSoundSpeedOfFastWater) {
+  Case scene = channel();
+  scene.inlets[0].velocity = 5;
+  EXPECT_DOUBLE_EQ(generate(scene).resolved.numerics.maximum_speed, 5);
+}
+
+TEST(Openings, RefuseAWallInTheWay) {
+  Case scene = channel();
+  add_box(scene, "sill", ShapeRole::wall, Vec3(-0.03, 0, 0), Vec3(0, 0, 0.03));
+  EXPECT_EQ(refusal(scene).substr(0, 76),
+            "scene.toml: inlet.west: 9 wall particles stand in its opening or its zone of");
+}
+
+TEST(Openings, RefuseWaterBehindATailWater) {
+  Case scene = channel();
+  scene.shapes[1].to.x() = 0.5;
+  EXPECT_EQ(
+      refusal(scene),
+      "scene.toml: outlet.east: water stands behind its zone of 5.3 cm, the first at x = 45.5 cm, z = 0.5 cm; let "
+      "the shape end there");
+}
+
+TEST(Openings, RefuseZonesThatOverlap) {
+  Case scene = channel();
+  scene.outlets[0].at.x() = -0.02;
+  EXPECT_EQ(refusal(scene), "scene.toml: the zones of inlet.west and outlet.east overlap; move them apart");
+}
+
+}  // namespace
+}  // namespace thalweg::gencase::test

@@ -1,0 +1,211 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "common/error.hpp"
+#include "tests/solver/program/broken_run.hpp"
+#include "tests/solver/program/channel_run.hpp"
+
+// Water that enters and leaves, in whole runs: a uniform current, a free fall, jets, a pump, and runs that must stop.
+namespace thalweg {
+namespace {
+
+std::string scene(const std::string& name) {
+  return THALWEG_SOURCE_DIR "/tests/solver/program/openings/" + name + ".toml";
+}
+
+/// A column of history.csv from a time [s] on.
+struct Column {
+  std::vector<double> time;
+  std::vector<double> value;
+
+  [[nodiscard]] double mean() const {
+    double sum = 0;
+    for (const double v : value) sum += v;
+    return sum / static_cast<double>(value.size());
+  }
+  [[nodiscard]] double rate() const { return test::trend(time, value, 0); }
+};
+
+Column column(const test::CaseRun& run, const std::string& name, const std::string& unit, double from) {
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto t = history.numbers("time", "s");
+  const auto v = history.numbers(name, unit);
+  Column kept;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t[i] >= from) kept.time.push_back(t[i]), kept.value.push_back(v[i]);
+  }
+  return kept;
+}
+
+/// Water that is there, less what came in, plus what went out [kg]: at the first and at the last row.
+std::pair<double, double> balance(const test::CaseRun& run) {
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto water = history.numbers("water_mass", "kg");
+  const auto in = history.numbers("mass_in", "kg");
+  const auto out = history.numbers("mass_out", "kg");
+  return {water.front() - in.front() + out.front(), water.back() - in.back() + out.back()};
+}
+
+TEST(OpenChannel, KeepsLevelAndDischarge) {
+  test::CaseRun run("open_channel");
+  run.fill_from(scene("channel"), {"output.end=\"16 s\"", "output.history_interval=\"0.1 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  // 0.04 m^2/s of water that weighs 1000 kg/m^3 and is compressed by 1.2e-3 in the mean, 490 Pa over rho c^2.
+  const double entering = 40 * (1 + 490 / (1000 * 19.81 * 19.81));
+  EXPECT_NEAR(column(run, "west_water", "kg", 4).rate(), entering, 0.005 * entering);
+  EXPECT_NEAR(-column(run, "east_water", "kg", 4).rate(), entering, 0.005 * entering);
+  for (const char* name : {"west_level", "east_level"}) {
+    EXPECT_NEAR(column(run, name, "m", 4).mean(), 0.1, 0.5 * 0.01) << name;
+  }
+  const auto [first, last] = balance(run);
+  EXPECT_NEAR(last, first, 1e-6 * first);
+
+  // Velocity and pressure in the middle, from 8 s on: the inlet's profile, and no suction at the outlet.
+  std::vector<double> sum(10, 0.0);
+  std::vector<double> number(10, 0.0);
+  double below = 0;
+  double snapshots = 0;
+  for (const SeriesEntry& e : read_series(run.folder().snapshot_series())) {
+    if (e.time < 8) continue;
+    const ParticleSet p = read_particles(run.folder().root / e.file);
+    double most = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Vec3& x = p.position[i];
+      if (p.type[i] != ParticleType::water || x.x() < 0.1 || x.x() > 0.95) continue;
+      const auto row = std::min<std::size_t>(9, static_cast<std::size_t>(std::max(0.0, x.z() / 0.01)));
+      sum[row] += double(p.velocity[i].x()), number[row] += 1;
+      most = std::max(most, 9810 * (0.1 - x.z()) - double(p.pressure[i]));
+    }
+    below += most, snapshots += 1;
+  }
+  const double friction = friction_velocity_of_current(0.4, 0.1, 1e-6, 1e-3);
+  double squares = 0;
+  for (std::size_t row = 0; row < 10; ++row) {
+    const double z = (static_cast<double>(row) + 0.5) * 0.01;
+    squares += std::pow(sum[row] / number[row] - log_profile(friction, z, 1e-6, 1e-3), 2) / 10;
+  }
+  EXPECT_LT(std::sqrt(squares), 0.03 * 0.4);
+  EXPECT_LT(below / snapshots,
+            0.1 * 981);  // of single particles at rest in their rows; a suction would be of the order of p
+}
+
+TEST(OpenChannel, FollowsAHydrograph) {
+  // From 0.03 to 0.05 m^2/s between 2 and 4 s, and the tail water by 30 mm: six seconds later what enters leaves.
+  test::CaseRun run("open_hydrograph");
+  run.fill_from(scene("hydrograph"), {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  EXPECT_NEAR(column(run, "west_water", "kg", 8).rate(), 50, 0.01 * 50);
+  EXPECT_NEAR(-column(run, "east_water", "kg", 8).rate(), 50, 0.02 * 50);
+  EXPECT_NEAR(column(run, "east_level", "m", 8).mean(), 0.13, 0.005);
+  EXPECT_NEAR(column(run, "west_level", "m", 8).mean(), 0.13, 0.005);
+}
+
+TEST(OpenChannel, ContinuesBitForBit) {
+  const std::vector<std::string> options = {"output.end=\"3 s\"", "output.interval=\"1 s\""};
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(scene("hydrograph"), options, "2.5 s", ends));
+  EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
+  for (const char* fact : {"Openings", "Population"}) {
+    ASSERT_TRUE(ends.straight.facts.contains(fact));
+    EXPECT_EQ(ends.straight.facts.at(fact), ends.joined.facts.at(fact)) << fact;
+  }
+}
+
+TEST(OpenChannel, StandsStillWithoutAnInflow) {
+  // A tail water at the level of still water: nothing moves in or out.
+  test::CaseRun run("open_still");
+  run.fill_from(scene("still"), {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto out = history.numbers("mass_out", "kg");
+  const auto water = history.numbers("water_mass", "kg");
+  EXPECT_LE(out.back(), 0.01 * water.front());  // one column of particles, if that
+  EXPECT_NEAR(column(run, "east_level", "m", 2).mean(), 0.1, 0.005);
+}
+
+TEST(Overfall, DrawsTheWaterDownToItsBrink) {
+  // Rouse (1936) measured 0.715 of the critical depth at the brink of a smooth level channel, which is reached three to
+  // four critical depths upstream: here 54.6 mm. The column next to the outlet counts 66 mm of water before it.
+  test::CaseRun run("overfall");
+  run.fill_from(scene("overfall"), {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const double critical = std::cbrt(0.04 * 0.04 / 9.81);
+  const double brink = column(run, "east_level", "m", 8).mean() / critical;
+  EXPECT_GT(brink, 0.715);
+  EXPECT_LT(brink, 0.9);
+  EXPECT_NEAR(-column(run, "east_water", "kg", 8).rate(), 40, 0.02 * 40);
+}
+
+TEST(Jets, FallAsProjectilesDo) {
+  // z = z0 + x tan a - g x^2/(2 u^2 cos^2 a): the axis of a jet through air, of any thickness, without friction.
+  test::CaseRun run("jets");
+  run.fill_from(scene("jets"), {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const ParticleSet p = run.snapshot_at(0.6);
+  const auto axis_at = [&](double x, double expected) {
+    double sum = 0;
+    double number = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Vec3& at = p.position[i];
+      if (p.type[i] != ParticleType::water || std::abs(at.x() - x) > 0.01 || std::abs(at.z() - expected) > 0.05)
+        continue;
+      sum += at.z(), number += 1;
+    }
+    EXPECT_GT(number, 15);
+    return sum / number;
+  };
+  for (const double x : {0.1, 0.2, 0.3}) {
+    const double level = 0.2 - 9.81 * x * x / (2 * 1.5 * 1.5);
+    EXPECT_NEAR(axis_at(x, level), level, 0.0125) << x;
+    const double upwards = -0.1 + x - 9.81 * x * x / (2 * 2.0);
+    EXPECT_NEAR(axis_at(x, upwards), upwards, 0.0125) << x;
+  }
+  // Volume per time is the opening's height times the speed, whatever the direction.
+  EXPECT_NEAR(column(run, "level_water", "kg", 0.1).rate(), 60, 0.5);
+  EXPECT_NEAR(column(run, "upwards_water", "kg", 0.1).rate(), 80, 0.7);
+}
+
+TEST(Pump, KeepsTheWater) {
+  test::CaseRun run("pump");
+  run.fill_from(scene("channel"), {"outlet.east.kind=pump", "outlet.east.level=", "output.end=\"12 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const Column water = column(run, "water_mass", "kg", 0.5);
+  for (const double mass : water.value) EXPECT_NEAR(mass, water.value.front(), 0.005 * water.value.front());
+  EXPECT_NEAR(column(run, "west_water", "kg", 4).rate(), 40, 0.01 * 40);
+}
+
+TEST(OpenBoundaries, StopWhereTheLevelRunsAway) {
+  test::CaseRun run("runaway");
+  run.fill_from(scene("basin"), {});
+  try {
+    run_solver(run.options());
+    FAIL() << "ran to the end";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("the water at west stands at z = "));
+    EXPECT_THAT(error.what(), testing::HasSubstr("above the opening: its level runs away"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(run.folder().checkpoint()));
+}
+
+TEST(OpenBoundaries, BringGrainsBackThatWaterHasTakenOut) {
+  // A concentration of 0.01 at the start; the pump brings back what it takes, so that the grains stay.
+  test::CaseRun run("recirculated");
+  run.fill_from(scene("grains"), {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto grains = history.numbers("grain_mass", "kg");
+  const auto west = history.numbers("west_grains", "kg");
+  const auto east = history.numbers("east_grains", "kg");
+  EXPECT_GT(west.back(), 1);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    // To rounding, from the boundaries' own books.
+    EXPECT_NEAR(grains[i] - west[i] - east[i], grains[0] - west[0] - east[0], 1e-6 * grains[0]);
+    // Within what lies in the pump for a second: 0.4 m/s of a channel of 1.06 m.
+    EXPECT_NEAR(grains[i], grains[0], 0.45 * grains[0]);
+  }
+}
+
+}  // namespace
+}  // namespace thalweg
