@@ -8,9 +8,8 @@ namespace thalweg::test {
 template <>
 struct Maker<Cuda> {
   template <int Dim>
-  static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from,
-                                          const std::vector<WallMotion>& motions) {
-    return make_simulation({scene, &from, 0, false, motions}, "cuda", "auto");
+  static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from, const DeviceScene& of) {
+    return make_simulation({scene, &from, 0, false, of.motions, false, of.openings()}, "cuda", "auto");
   }
 };
 
