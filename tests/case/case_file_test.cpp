@@ -94,7 +94,7 @@ TEST(Overrides, NameThemselvesInMessages) {
   EXPECT_EQ(
       message("spacing=4 mm"),
       "--set spacing=4 mm: not a key; write table.key=value, or TABLE.NAME.key=value where TABLE is one of shape, "
-      "motion, gauge, line, materials; `thalweg explain` lists the keys");
+      "motion, inlet, outlet, gauge, line, materials; `thalweg explain` lists the keys");
   EXPECT_EQ(message("numerics.spacing"), "--set numerics.spacing: has no value; write --set table.key=value");
   EXPECT_EQ(message("compare.times=[\"1 s\""),
             "--set compare.times=[\"1 s\": the value is not TOML: Error while parsing array: encountered end-of-file; "

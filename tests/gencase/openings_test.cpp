@@ -56,10 +56,9 @@ TEST(Openings, RefuseAWallInTheWay) {
 TEST(Openings, RefuseWaterBehindATailWater) {
   Case scene = channel();
   scene.shapes[1].to.x() = 0.5;
-  EXPECT_EQ(
-      refusal(scene),
-      "scene.toml: outlet.east: water stands behind its zone of 5.45 cm, the first at x = 45.5 cm, z = 5 mm; let "
-      "the shape end there");
+  EXPECT_EQ(refusal(scene),
+            "scene.toml: outlet.east: water stands behind its zone of 5.45 cm, the first at x = 45.5 cm, z = 5 mm; let "
+            "the shape end there");
 }
 
 TEST(Openings, RefuseZonesThatOverlap) {

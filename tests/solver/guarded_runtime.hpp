@@ -149,8 +149,9 @@ struct GuardedRuntime {
     const AtWork at_work;
     memcpy(to, from, bytes);
   }
+  /// Of this thread: another one may copy meanwhile.
   static Recording*& recorder() {
-    static Recording* now = nullptr;
+    static thread_local Recording* now = nullptr;
     return now;
   }
   template <class Launch>
