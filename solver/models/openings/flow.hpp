@@ -62,7 +62,7 @@ struct PrescribePass {
       if (!is_in_zone(zone, in)) continue;
       role = Role::prescribed;
       prescribe(r, zone, speed(r, zone, in, beside[n], was_prescribed),
-                pressure_in_zone(zone, levels[n], beside[n].pressure, positions[i].x, scene));
+                pressure_in_zone(zone, levels[n] + beside[n].swell, beside[n].pressure, positions[i].x, scene));
     }
     roles[i] = role;
   }
@@ -139,10 +139,13 @@ struct WaterBesidePass {
 };
 
 /// The water next to an opening after a step of dt [s]. The pressure of a full inlet follows within some passages of
-/// sound, an outlet's particles lose their deviation in four passages of its zone. `takes`: volume per time of a pump
-/// [m^3/s] (2-D: [m^2/s]).
+/// sound, an outlet's particles lose their deviation in four passages of its zone. A wave that runs out through the
+/// level of an outlet has the velocity u' and the height u' sqrt(H/g), H being the depth [m]: by that much the level gives
+/// way, or the wave would come back. It returns within 30 sqrt(H/g). depth: 0 where no level is imposed. `takes`: volume
+/// per time of a pump [m^3/s] (2-D: [m^2/s]).
 HOST_DEVICE inline BesideOpening after_step(const BesideOpening& before, const WaterBeside& sum, double dt,
-                                            double sound_time, const Zone& zone, double takes) {
+                                            double sound_time, const Zone& zone, double takes, double depth,
+                                            double gravity) {
   constexpr double passages_of_sound = 20;
   constexpr double passages_of_zone = 4;
   BesideOpening now;
@@ -151,8 +154,15 @@ HOST_DEVICE inline BesideOpening after_step(const BesideOpening& before, const W
   now.pressure = before.pressure + (follows < 1 ? follows : 1) * (pressure - before.pressure);
   const double speed = sum.volume > 0 ? sum.speed / sum.volume : before.speed;
   now.speed = zone.pumps && sum.volume > 0 ? takes * zone.length / sum.volume : speed;
-  now.entry = zone.pumps ? now.speed - speed : 0;
   now.change = now.speed - before.speed;
+  now.swell = before.swell;
+  if (depth > 0) {
+    const double passing = sqrt(depth / gravity);
+    constexpr double passages_of_swell = 30;
+    const double subsides = dt / (passages_of_swell * passing);
+    now.swell += now.change * passing - (subsides < 1 ? subsides : 1) * before.swell;
+  }
+  now.entry = zone.pumps ? now.speed - speed : 0;
   const double share = dt * (now.speed > 0 ? now.speed : 0) / (passages_of_zone * zone.length);
   now.share = share < 1 ? share : 1;
   return now;

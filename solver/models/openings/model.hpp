@@ -125,12 +125,16 @@ struct OpeningsModel {
       if (!uses_water_beside(zones[n])) continue;
       BesideOpening* beside = step.work.beside.data() + n;
       const double* takes = step.work.takes.data() + n;
+      const double* level = step.work.levels.data() + n;
       const Zone zone = zones[n];
+      const double gravity = -double(step.scene.gravity[C::dimension - 1]);
       step.on.reduce_then(
           step.p.fluid_count, WaterBeside{}, water_beside(step.p, step.scene, step.work, n, true),
           [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; },
           [=] HOST_DEVICE(const WaterBeside& sum) {
-            *beside = thalweg::after_step(*beside, sum, state->step.dt, sound_time, zone, *takes);
+            *beside =
+                thalweg::after_step(*beside, sum, state->step.dt, sound_time, zone, *takes,
+                                    zone.pumps || zone.enters ? 0 : *level - (zone.at[2] - zone.half_up), gravity);
           });
     }
   }
@@ -156,7 +160,7 @@ struct OpeningsModel {
 };
 
 /// Numbers of BesideOpening in a checkpoint.
-inline constexpr std::size_t numbers_beside = 5;
+inline constexpr std::size_t numbers_beside = 6;
 
 /// Opens a scene: the particles that inlets hold ready are there from the start, or from a checkpoint on. Throws
 /// InputError for a checkpoint of other openings.
@@ -189,7 +193,7 @@ void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
                        " is not that of these inlets and outlets; start from a whole checkpoint of the same case");
     }
     for (BesideOpening& water : beside) {
-      water = {next[0], next[1], next[2], next[3], next[4]};
+      water = {next[0], next[1], next[2], next[3], next[4], next[5]};
       next += numbers_beside;
     }
     openings->set_time(work.time);
@@ -204,7 +208,7 @@ void add_openings(Device& on, const OpeningsWork<Device>& work, ParticleSet& to)
   std::vector<double>& numbers = to.facts[openings_fact];
   numbers = work.openings->numbers();
   for (const BesideOpening& water : on.download(work.beside)) {
-    numbers.insert(numbers.end(), {water.pressure, water.speed, water.change, water.entry, water.share});
+    numbers.insert(numbers.end(), {water.pressure, water.speed, water.change, water.swell, water.entry, water.share});
   }
 }
 

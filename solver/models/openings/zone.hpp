@@ -33,6 +33,7 @@ struct BesideOpening {
   double pressure = 0;  // [Pa] at the opening's centre, for full inlets
   double speed = 0;     // [m/s] along the flow, for outlets; of a pump, with which it takes the water
   double change = 0;    // [m/s] of the speed in the last step
+  double swell = 0;     // [m] by which an outlet's level gives way to a wave
   double entry = 0;     // [m/s] that water gains where it crosses a pump's plane
   double share = 0;     // of its deviation from that speed that a particle in an outlet's zone loses [-]
 };
