@@ -84,6 +84,7 @@ bool make_report(ReportInput& input, bool in_space) {
   const RunFolder& run = input.run;
   input.in_space = in_space;
   input.history = read_history(run.history());
+  input.openings = read_openings(input.resolved, run.history());
   input.timing = read_timing(run.timing());
   input.summary = read_quantities(run.summary());
   input.methods = read_methods(run);

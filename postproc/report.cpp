@@ -77,6 +77,13 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
     scripts.push_back(writer.energies(input.run.history(), !input.history.internal_energy.empty(),
                                       input.resolved.info.dimension == 2 ? "J/m" : "J"));
   }
+  if (!input.openings.openings.empty()) {
+    const fs::path table = input.run.report() / "data" / "openings.csv";
+    write_openings(table, input.openings, input.resolved.info.dimension);
+    scripts.push_back(writer.discharges(table, input.openings, input.resolved.info.dimension == 2 ? "m^2/s" : "m^3/s"));
+    if (report_sections::has_levels(input.openings))
+      scripts.push_back(writer.levels_at_openings(table, input.openings));
+  }
   constexpr std::size_t most_points = 200'000;  // more than a picture resolves
   const ParticleTable table =
       write_particle_table(input.run.report() / "data" / "particles.csv",
@@ -131,8 +138,9 @@ bool write_report(ReportInput& input) {
          << part::which_is_which(input);
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
-         << part::space_time(input, pictures) << part::space_view(space) << part::particles(input, pictures)
-         << part::methods(input, pictures) << part::run_numbers(input) << part::model(input);
+         << part::openings(input, pictures) << part::space_time(input, pictures) << part::space_view(space)
+         << part::particles(input, pictures) << part::methods(input, pictures) << part::run_numbers(input)
+         << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
     page << part::provenance(input) << part::hover(input) << "</body>\n</html>\n";
   });

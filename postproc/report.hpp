@@ -9,6 +9,7 @@
 #include "postproc/comparison.hpp"
 #include "postproc/extraction_run.hpp"
 #include "postproc/method_cost.hpp"
+#include "postproc/opening_records.hpp"
 #include "postproc/run_records.hpp"
 
 namespace thalweg {
@@ -46,6 +47,7 @@ struct ReportInput {
   std::string shortfall;  // a sentence on a run that has not reached its end; empty for others
   std::vector<std::string> warnings;
   BedHistory bed_history;
+  OpeningRecords openings;
   bool in_space = false;  // with the 3-D view
 };
 

@@ -85,7 +85,10 @@ std::string mass_change(const char* phase, const std::vector<double>& mass) {
                      change == 0 ? "unchanged" : html::typeset(fmt::format("{:+.1g} of itself", change)));
 }
 
-std::string mass_sentence(const History& history) {
+/// Of a scene that is closed: with openings the mass changes as it should.
+std::string mass_sentence(const ReportInput& input) {
+  if (!input.openings.openings.empty()) return "";
+  const History& history = input.history;
   const std::string water = mass_change("water", history.water_mass);
   const std::string sediment = mass_change("sediment", history.sediment_mass);
   if (water.empty() && sediment.empty()) return "";
@@ -108,7 +111,7 @@ std::string run_numbers(const ReportInput& input) {
         "between {} and {}.</p>\n",
         input.history.rows, html::typeset(format_quantity(*least, "s")), html::typeset(format_quantity(*most, "s")));
   }
-  text += mass_sentence(input.history) + "</div>\n</div>\n";
+  text += mass_sentence(input) + "</div>\n</div>\n";
   text += "<h3>The mesh model</h3>\n";
   text += input.meshes.empty() ? "<p>No mesh model has been run: foam/ holds none.</p>\n" : mesh_table(input.meshes);
   return text;

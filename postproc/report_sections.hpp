@@ -19,6 +19,7 @@ std::string which_is_which(const ReportInput& input);
 std::string profiles(const ReportInput& input, const std::filesystem::path& pictures);
 std::string errors(const ReportInput& input);
 std::string front_and_energies(const ReportInput& input, const std::filesystem::path& pictures);
+std::string openings(const ReportInput& input, const std::filesystem::path& pictures);
 std::string particles(const ReportInput& input, const std::filesystem::path& pictures);
 std::string space_time(const ReportInput& input, const std::filesystem::path& pictures);
 std::string methods(const ReportInput& input, const std::filesystem::path& pictures);
@@ -29,6 +30,9 @@ std::string provenance(const ReportInput& input);
 
 /// Pictures from ParaView that are older than the run: of an earlier one in the same folder. They are left out.
 std::size_t old_paraview_pictures(const ReportInput& input);
+
+/// True if some opening has a level to show.
+bool has_levels(const OpeningRecords& records);
 
 /// The 3-D view with its slider, or nothing.
 std::string space_view(const SpaceScene& scene);

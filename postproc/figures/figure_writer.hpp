@@ -7,6 +7,7 @@
 #include "postproc/figures/particle_table.hpp"
 #include "postproc/figures/picture_frame.hpp"
 #include "postproc/figures/source_look.hpp"
+#include "postproc/opening_records.hpp"
 
 namespace thalweg {
 
@@ -30,6 +31,12 @@ class FigureWriter {
   /// Kinetic energy, change of potential and internal energy, and their sum, from history.csv.
   [[nodiscard]] std::filesystem::path energies(const std::filesystem::path& history, bool has_internal,
                                                const std::string& unit) const;
+
+  /// Discharges of the openings against time, and the levels next to them, from a table of write_openings().
+  [[nodiscard]] std::filesystem::path discharges(const std::filesystem::path& table, const OpeningRecords& records,
+                                                 const std::string& unit) const;
+  [[nodiscard]] std::filesystem::path levels_at_openings(const std::filesystem::path& table,
+                                                         const OpeningRecords& records) const;
 
   /// Particles by kind, speed and pressure, heights not exaggerated (PNG only).
   [[nodiscard]] std::filesystem::path particles(const ParticleTable& table, const PictureFrame& frame,

@@ -1,0 +1,7 @@
+set xlabel 't  [s]' offset 0,0.4
+set ylabel '{{quantity}}' offset 1,0
+set key outside top center horizontal maxrows 2 samplen 2.4 width 1
+set bmargin 2.8
+set rmargin 2
+set offsets 0,0,graph 0.06,graph 0.06
+plot {{curves}}
