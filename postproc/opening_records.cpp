@@ -21,6 +21,22 @@ double mean(const std::vector<double>& numbers, std::size_t from, std::size_t to
   return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Slope of the straight line through the points from `first` on: what passes comes particle by particle, and two of the
+/// points say little.
+double slope(const std::vector<double>& x, const std::vector<double>& y, std::size_t first) {
+  const double n = static_cast<double>(x.size() - first);
+  double mean_x = 0;
+  double mean_y = 0;
+  for (std::size_t i = first; i < x.size(); ++i) mean_x += x[i] / n, mean_y += y[i] / n;
+  double along = 0;
+  double both = 0;
+  for (std::size_t i = first; i < x.size(); ++i) {
+    along += (x[i] - mean_x) * (x[i] - mean_x);
+    both += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  return along > 0 ? both / along : 0;
+}
+
 }  // namespace
 
 OpeningRecords read_openings(const Case& of, const std::filesystem::path& history) {
@@ -47,7 +63,7 @@ OpeningRecords read_openings(const Case& of, const std::filesystem::path& histor
     record.water = water.back();
     record.sediment = table.numbers(name + "_sediment", "kg").back();
     const std::size_t half = time.size() / 2;
-    record.mean_rate = rate(half, time.size() - 1);
+    record.mean_rate = slope(time, water, half) / of.water.density;
     record.mean_level = mean(level, half, time.size());
     records.openings.push_back(std::move(record));
   };

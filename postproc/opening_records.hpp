@@ -17,7 +17,7 @@ struct OpeningRecord {
   std::vector<double> level;  // [m] mean over them; NaN where it does not stand upright
   double water = 0;           // [kg] in the end, that came in less what went out
   double sediment = 0;        // [kg]
-  double mean_rate = 0;       // over the last half of the run
+  double mean_rate = 0;       // of the last half of the run, by a straight line through the sums
   double mean_level = 0;      // [m]
 };
 

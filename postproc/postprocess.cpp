@@ -18,6 +18,7 @@
 #include "postproc/report.hpp"
 #include "postproc/report_sources.hpp"
 #include "postproc/run_records.hpp"
+#include "postproc/snapshots.hpp"
 
 namespace thalweg {
 namespace {
@@ -85,6 +86,7 @@ bool make_report(ReportInput& input, bool in_space) {
   input.in_space = in_space;
   input.history = read_history(run.history());
   input.openings = read_openings(input.resolved, run.history());
+  input.stations = velocity_stations(input.resolved, find_snapshots(run).entries);
   input.timing = read_timing(run.timing());
   input.summary = read_quantities(run.summary());
   input.methods = read_methods(run);

@@ -19,7 +19,7 @@ std::string opening_table(const OpeningRecords& records, const std::string& unit
     rows.push_back({html::escape(opening.name), opening.enters ? "inlet" : "outlet",
                     html::typeset(fmt::format("{:.4g} {}", sign * opening.mean_rate, unit)),
                     std::isnan(opening.mean_level) ? "–" : html::typeset(format_quantity(opening.mean_level, "m")),
-                    mass(sign * opening.water), mass(sign * opening.sediment)});
+                    mass(sign * opening.water), mass(opening.sediment == 0 ? 0 : sign * opening.sediment)});
   }
   return html::table({"opening", "", "discharge", "level", "water [kg]", "sediment [kg]"}, rows, "llrrrr");
 }

@@ -8,6 +8,7 @@
 #include "postproc/figures/picture_frame.hpp"
 #include "postproc/figures/source_look.hpp"
 #include "postproc/opening_records.hpp"
+#include "postproc/velocity_stations.hpp"
 
 namespace thalweg {
 
@@ -37,6 +38,10 @@ class FigureWriter {
                                                  const std::string& unit) const;
   [[nodiscard]] std::filesystem::path levels_at_openings(const std::filesystem::path& table,
                                                          const OpeningRecords& records) const;
+
+  /// Velocity profiles and their logarithmic laws, from a table of write_velocity_stations().
+  [[nodiscard]] std::filesystem::path stations(const std::filesystem::path& table,
+                                               const std::vector<VelocityStation>& stations) const;
 
   /// Particles by kind, speed and pressure, heights not exaggerated (PNG only).
   [[nodiscard]] std::filesystem::path particles(const ParticleTable& table, const PictureFrame& frame,

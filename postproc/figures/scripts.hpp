@@ -12,6 +12,7 @@ extern const std::string_view script_profiles;
 extern const std::string_view script_front;
 extern const std::string_view script_energies;
 extern const std::string_view script_openings;
+extern const std::string_view script_stations;
 extern const std::string_view script_space_time;
 extern const std::string_view script_particles;
 extern const std::string_view script_particle_panel;

@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "postproc/figures/figure_writer.hpp"
+#include "postproc/figures/script_template.hpp"
+#include "postproc/figures/scripts.hpp"
+#include "postproc/gnuplot.hpp"
+
+namespace thalweg {
+
+std::filesystem::path FigureWriter::stations(const std::filesystem::path& table,
+                                             const std::vector<VelocityStation>& stations) const {
+  std::vector<std::string> parts;
+  for (std::size_t n = 0; n < stations.size(); ++n) {
+    const char* colour = curve_colours.at(n % curve_colours.size());
+    // Only the rows of this station: others give no number.
+    const auto of_station = [&](const char* column) {
+      return fmt::format("(abs(column('place [m]')-({:.9g}))<1e-6?column('{}'):NaN)", stations[n].place, column);
+    };
+    parts.push_back(fmt::format("{} using {}:(column('height [m]')) with points pt 7 ps 0.7 lc rgb '{}' title {}",
+                                data(table), of_station("velocity [m/s]"), colour,
+                                gnuplot_string(fmt::format("at {:.4g} m", stations[n].place))));
+    parts.push_back(fmt::format("{} using {}:(column('height [m]')) with lines lw 1.6 lc rgb '{}' notitle", data(table),
+                                of_station("law [m/s]"), colour));
+  }
+  return write("stations", 490, 300, fill_template(embedded::script_stations, {{"curves", joined_plots(parts)}}));
+}
+
+}  // namespace thalweg
