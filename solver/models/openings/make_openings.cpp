@@ -216,7 +216,11 @@ class OpeningsOfCase final : public Openings {
         columns_.push_back(column);
       }
     }
-    inlets_.push_back({inlet, zone.first_column, columns_.size() - zone.first_column, high * wide});
+    // The columns of a round opening share its area; their own squares would be up to a tenth more or less.
+    const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(zone.first_column);
+    const auto number = std::count_if(begin, columns_.end(), [](const Column& column) { return column.exists; });
+    const double cell = zone.round ? inlet.area(dimension_) / static_cast<double>(number) : high * wide;
+    inlets_.push_back({inlet, zone.first_column, columns_.size() - zone.first_column, cell});
     zones_.push_back(zone);
     names_.push_back(inlet.name);
   }

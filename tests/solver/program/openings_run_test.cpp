@@ -130,7 +130,7 @@ TEST(Overfall, DrawsTheWaterDownToItsBrink) {
   // Rouse (1936) measured 0.715 of the critical depth at the brink of a smooth level channel, which is reached three to
   // four critical depths upstream: here 54.6 mm. The column next to the outlet counts 66 mm of water before it.
   test::CaseRun run("overfall");
-  run.fill_from(scene("overfall"), {});
+  run.fill_from(scene("overfall"), {"output.end=\"14 s\""});
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const double critical = std::cbrt(0.04 * 0.04 / 9.81);
   const double brink = column(run, "east_level", "m", 8).mean() / critical;
@@ -166,6 +166,16 @@ TEST(Jets, FallAsProjectilesDo) {
   // Volume per time is the opening's height times the speed, whatever the direction.
   EXPECT_NEAR(column(run, "level_water", "kg", 0.1).rate(), 60, 0.5);
   EXPECT_NEAR(column(run, "upwards_water", "kg", 0.1).rate(), 80, 0.7);
+}
+
+TEST(Nozzle, BringsItsAreaTimesItsVelocity) {
+  // pi/4 (50 mm)^2 times 1 m/s: 1.9635 kg/s until 0.3 s.
+  test::CaseRun run("nozzle");
+  run.fill_from(scene("nozzle"), {"output.end=\"0.3 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const auto water = CsvTable::read(run.folder().history()).numbers("nozzle_water", "kg");
+  // A layer of particles is 0.0196 kg; the zone is full from the start.
+  EXPECT_NEAR(water.back() - water.front(), 1.9635 * 0.3, 0.025);
 }
 
 TEST(Pump, KeepsTheWater) {
