@@ -55,7 +55,7 @@ struct MassLedger {
 /// Mass that came in through an opening of the scene, less what went out [kg]; per metre of width in 2-D.
 struct OpeningFlux {
   std::string name;
-  double water = 0;        // with the dead particles of an inlet's zone, and without the grains that it carries
+  double water = 0;        // that crossed its plane, without the grains that it carries
   double sediment = 0;     // parcels with the water in their pores
   double grains = 0;       // that water carries
   double level = 0;        // [m] z of the water's surface in the scene next to it; NaN where it does not stand upright

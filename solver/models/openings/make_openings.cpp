@@ -23,6 +23,7 @@ struct Column {
   bool exists = true;  // false: it lies outside of a round opening
   bool is_full = false;
   double phase = 0;  // [m] way of its first particle since the one before it crossed the plane
+  double mass = 0;   // [kg] of its last newborn particle
 };
 
 /// One inlet with its columns.
@@ -87,7 +88,7 @@ class OpeningsOfCase final : public Openings {
     sediment_.resize(zones_.size());
     grains_.resize(zones_.size());
     depths_.resize(zones_.size());
-    waiting_.resize(zones_.size());
+    drying_.resize(zones_.size());
     waiting_grains_.resize(zones_.size());
     rates_.resize(zones_.size());
     means_.resize(zones_.size());
@@ -112,6 +113,7 @@ class OpeningsOfCase final : public Openings {
           column.phase = 0.5 * spacing_;
           for (int layer = 0; layer < layers_; ++layer) bear(n, column, layer, population);
         }
+        if (!full && column.is_full) drying_[n] += layers_ * column.mass;
         column.is_full = full;
       }
     }
@@ -119,7 +121,6 @@ class OpeningsOfCase final : public Openings {
     set_speeds(time);
     // Those that wait are let in with the lists that are made next.
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
-      water_[n] += waiting_[n], waiting_[n] = 0;
       grains_[n] += waiting_grains_[n], waiting_grains_[n] = 0;
     }
   }
@@ -143,13 +144,16 @@ class OpeningsOfCase final : public Openings {
         while (column.phase >= spacing_) {
           column.phase -= spacing_;
           bear(n, column, layers_ - 1, population);
+          water_[n] += column.mass;  // one of as much has crossed the plane
         }
       }
     }
   }
 
   void count_out(std::size_t opening, double water, double sediment, double grains) override {
-    water_[opening] -= water;
+    const double dried = std::min(water, drying_[opening]);  // has never crossed the plane
+    drying_[opening] -= dried;
+    water_[opening] -= water - dried;
     sediment_[opening] -= sediment;
     grains_[opening] -= grains;
   }
@@ -169,15 +173,16 @@ class OpeningsOfCase final : public Openings {
     std::vector<double> out{returning_, water_of_pump_.value_or(0)};
     for (std::size_t n = 0; n < zones_.size(); ++n) {
       out.insert(out.end(),
-                 {water_[n], sediment_[n], grains_[n], depths_[n], levels_[n], waiting_[n], waiting_grains_[n]});
+                 {water_[n], sediment_[n], grains_[n], depths_[n], levels_[n], drying_[n], waiting_grains_[n]});
     }
-    for (const Column& column : columns_) out.insert(out.end(), {column.is_full ? 1.0 : 0.0, column.phase});
+    for (const Column& column : columns_)
+      out.insert(out.end(), {column.is_full ? 1.0 : 0.0, column.phase, column.mass});
     return out;
   }
 
   [[nodiscard]] bool restored(const std::vector<double>& numbers) override {
     constexpr std::size_t of_zone = 7;
-    if (numbers.size() != 2 + of_zone * zones_.size() + 2 * columns_.size()) return false;
+    if (numbers.size() != 2 + of_zone * zones_.size() + 3 * columns_.size()) return false;
     const double* next = numbers.data();
     returning_ = *next++;
     water_of_pump_ = *next++;
@@ -187,12 +192,13 @@ class OpeningsOfCase final : public Openings {
       grains_[n] = next[2];
       depths_[n] = next[3];
       levels_[n] = next[4];
-      waiting_[n] = next[5];
+      drying_[n] = next[5];
       waiting_grains_[n] = next[6];
     }
     for (Column& column : columns_) {
       column.is_full = *next++ != 0;
       column.phase = *next++;
+      column.mass = *next++;
     }
     return true;
   }
@@ -285,7 +291,7 @@ class OpeningsOfCase final : public Openings {
   /// Water that has come in since the start, less what has gone out [kg].
   [[nodiscard]] double net_water() const {
     double net = 0;
-    for (std::size_t n = 0; n < zones_.size(); ++n) net += water_[n] + waiting_[n];
+    for (std::size_t n = 0; n < zones_.size(); ++n) net += water_[n];
     return net;
   }
 
@@ -306,7 +312,7 @@ class OpeningsOfCase final : public Openings {
   }
 
   /// A particle of a column, `layer` spacings behind its first.
-  void bear(std::size_t n, const Column& column, int layer, Population& population) {
+  void bear(std::size_t n, Column& column, int layer, Population& population) {
     const Zone& zone = zones_[n];
     Newborn newborn;
     const double along = column.phase - (layer + 1) * spacing_;
@@ -322,7 +328,7 @@ class OpeningsOfCase final : public Openings {
     const double concentration = concentration_in(n, column);
     newborn.grains = concentration * inlets_[n].cell * spacing_;
     population.bear(newborn);
-    waiting_[n] += double(newborn.mass);
+    column.mass = double(newborn.mass);
     waiting_grains_[n] += newborn.grains * grain_density_;
   }
 
@@ -350,7 +356,7 @@ class OpeningsOfCase final : public Openings {
   std::vector<double> water_;            // [kg] that has come in, less what has gone out
   std::vector<double> sediment_;         // [kg]
   std::vector<double> grains_;           // [kg] that water carries
-  std::vector<double> waiting_;          // [kg] of inlets: born and not yet let in
+  std::vector<double> drying_;           // [kg] of inlets: columns that have fallen dry and have not been taken out yet
   std::vector<double> waiting_grains_;   // [kg]
   std::vector<double> depths_;           // [m] of the scene's water next to the openings
 };
