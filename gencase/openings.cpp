@@ -20,6 +20,7 @@ struct PlacedOpening {
   bool enters;
   double length;  // of its zone [m]
   bool in_space;
+  bool falls = false;  // an outlet that holds nothing back
 
   /// Coordinates of a place along the flow, upwards and across, from the centre of the opening [m].
   [[nodiscard]] Vec3 coordinates(const Vec3& place) const {
@@ -32,6 +33,8 @@ struct PlacedOpening {
     return std::abs(at.y()) <= 0.5 * opening->extent_up() - rim &&
            (!in_space || std::abs(at.z()) <= 0.5 * opening->extent_across(3) - rim);
   }
+  /// True if water stands in the zone.
+  [[nodiscard]] bool holds_water() const { return !falls; }
   [[nodiscard]] std::string name() const {
     return fmt::format("{}.{}", enters ? Inlet::heading.name : Outlet::heading.name, opening->name);
   }
@@ -42,7 +45,9 @@ std::vector<PlacedOpening> placed_openings(const Case& scene) {
   const double length = zone_length(scene);
   const bool in_space = scene.info.dimension == 3;
   for (const Inlet& inlet : scene.inlets) placed.push_back({&inlet, inlet.axes(), true, length, in_space});
-  for (const Outlet& outlet : scene.outlets) placed.push_back({&outlet, outlet.axes(), false, length, in_space});
+  for (const Outlet& outlet : scene.outlets) {
+    placed.push_back({&outlet, outlet.axes(), false, length, in_space, outlet.kind == OutletKind::fall});
+  }
   return placed;
 }
 
@@ -57,6 +62,8 @@ struct InZone {
   std::int64_t cleared = 0;
   std::int64_t walls = 0;  // in the opening itself or in its zone
   std::int64_t behind = 0;
+  std::int64_t bare = 0;  // of sediment past the plane: where the zone ends, no water presses on it
+  Vec3 sediment = Vec3::Zero();
   Vec3 wall = Vec3::Zero();
   Vec3 water = Vec3::Zero();
 };
@@ -79,12 +86,18 @@ void take_node(const Case& scene, const std::vector<PlacedShape>& shapes, const 
     if (found.walls++ == 0) found.wall = place;
     return;
   }
+  const bool past = along > opening.length + rounding && along < 4 * opening.length;
+  const bool beside = std::abs(in.z()) <= 0.5 * opening.opening->extent_across(opening.in_space ? 3 : 2);
+  const bool crosses = along > rounding && along < 4 * opening.length;
+  if (crosses && beside && opening.holds_water() && shapes[label - 1U].shape->role == ShapeRole::sediment) {
+    if (found.bare++ == 0) found.sediment = place;
+    return;
+  }
   if (!opening.is_in_section(in, -rounding)) return;
   if (opening.enters) {
     label = nothing;
     ++found.cleared;
-  } else if (along > opening.length + rounding && shapes[label - 1U].shape->role == ShapeRole::water &&
-             along < 4 * opening.length) {
+  } else if (past && shapes[label - 1U].shape->role == ShapeRole::water) {
     if (found.behind++ == 0) found.water = place;
   }
 }
@@ -140,6 +153,12 @@ void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, F
       throw InputError(fmt::format(
           "{}: {}: water stands behind its zone of {}, the first at {}; let the shape end there", scene.file.string(),
           opening.name(), format_quantity(opening.length, "m"), at(found.water, scene)));
+    }
+    if (found.bare > 0) {
+      throw InputError(fmt::format(
+          "{}: {}: sediment lies past its plane, the first at {}; let a wall take its place from there on, as no water "
+          "presses on a bed where the zone ends",
+          scene.file.string(), opening.name(), at(found.sediment, scene)));
     }
     if (found.cleared > 0) {
       notes.say(fmt::format("{}: {} particles are taken out of its zone of {}, which the solver fills", opening.name(),

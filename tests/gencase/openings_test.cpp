@@ -61,6 +61,19 @@ TEST(Openings, RefuseWaterBehindATailWater) {
             "the shape end there");
 }
 
+TEST(Openings, RefuseABedThatGoesOnPastAPlane) {
+  Case scene = channel();
+  add_sand(scene);
+  scene.model.sediment = SedimentModel::viscoplastic;
+  scene.shapes[0].to.z() = -0.03;
+  add_box(scene, "bed", ShapeRole::sediment, Vec3(0, 0, -0.03), Vec3(0.5, 0, 0));
+  EXPECT_EQ(refusal(scene),
+            "scene.toml: outlet.east: sediment lies past its plane, the first at x = 40.5 cm, z = -2.5 cm; let a wall "
+            "take its place from there on, as no water presses on a bed where the zone ends");
+  scene.shapes.back().to.x() = 0.4;
+  EXPECT_EQ(refusal(scene), "accepted");
+}
+
 TEST(Openings, RefuseZonesThatOverlap) {
   Case scene = channel();
   scene.outlets[0].at.x() = -0.02;
@@ -69,3 +82,4 @@ TEST(Openings, RefuseZonesThatOverlap) {
 
 }  // namespace
 }  // namespace thalweg::gencase::test
+"its place from there on, as no water presses on a bed where the zone ends"

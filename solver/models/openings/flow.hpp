@@ -187,9 +187,10 @@ struct LeavesThrough {
       if (sediment || !is_in_zone(*zone, in)) return false;
       return roles[i] == Role::prescribed ? speeds[column_in(*zone, in)] < 0 : in.along < -0.5 * zone->spacing;
     }
-    const double margin = 2 * zone->spacing;
+    // Water that falls sinks out of the section before lists are made anew; a bed under the opening stays.
+    const double beside = (zone->falls && !sediment ? 1.0 : 0.01) * zone->spacing;
     const double end = zone->falls ? 0 : zone->length - zone->spacing;
-    return in.along > end && in.along < zone->length + margin && is_in_section(*zone, in, margin);
+    return in.along > end && in.along < zone->length + 2 * zone->spacing && is_in_section(*zone, in, beside);
   }
 };
 

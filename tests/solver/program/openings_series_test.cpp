@@ -61,7 +61,9 @@ void expect_a_steady_minute(const std::string& scene, const std::vector<std::str
 TEST(OpenMinute, InThePlaneAtTenMillimetres) { expect_a_steady_minute("channel.toml", {"output.end=\"60 s\""}, 1); }
 
 TEST(OpenMinute, InThePlaneAtFiveMillimetres) {
-  expect_a_steady_minute("channel.toml", {"output.end=\"60 s\"", "numerics.spacing=\"5 mm\""}, 1);
+  expect_a_steady_minute("channel.toml",
+                         {"output.end=\"60 s\"", "numerics.spacing=\"5 mm\"", "shape.water.to=[\"1.03 m\", \"0.1 m\"]"},
+                         1);
 }
 
 TEST(OpenMinute, InSpace) { expect_a_steady_minute("space.toml", {}, 0.1); }
