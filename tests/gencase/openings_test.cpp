@@ -82,4 +82,3 @@ TEST(Openings, RefuseZonesThatOverlap) {
 
 }  // namespace
 }  // namespace thalweg::gencase::test
-"its place from there on, as no water presses on a bed where the zone ends"
