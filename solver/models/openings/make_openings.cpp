@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "case/models/openings.hpp"
 #include "case/models/suspended_load.hpp"
@@ -104,21 +105,12 @@ class OpeningsOfCase final : public Openings {
     depths_ = depths;
     set_levels(time);
     set_returning();
-    for (std::size_t n = 0; n < inlets_.size(); ++n) {
-      const InletColumns& of = inlets_[n];
-      for (std::size_t c = of.first; c < of.first + of.count; ++c) {
-        Column& column = columns_[c];
-        const bool full = is_full(n, column);
-        if (full && !column.is_full) {
-          column.phase = 0.5 * spacing_;
-          for (int layer = 0; layer < layers_; ++layer) bear(n, column, layer, population);
-        }
-        if (!full && column.is_full) drying_[n] += layers_ * column.mass;
-        column.is_full = full;
-      }
+    const std::vector<std::pair<std::size_t, std::size_t>> risen = choose_columns();
+    set_speeds(time);  // on which the grains of the newborn depend
+    for (const auto& [inlet, column] : risen) {
+      for (int layer = 0; layer < layers_; ++layer) bear(inlet, columns_[column], layer, population);
     }
     if (!water_of_pump_) water_of_pump_ = net_water();
-    set_speeds(time);
     // Those that wait are let in with the lists that are made next.
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       grains_[n] += waiting_grains_[n], waiting_grains_[n] = 0;
@@ -254,6 +246,25 @@ class OpeningsOfCase final : public Openings {
     const double over = depth_in(n) - (column.up + zones_[n].half_up);
     const double slack = level_slack * spacing_;
     return column.is_full ? over > -slack : over > -1e-6 * spacing_;
+  }
+
+  /// Marks the columns that are full. Returns those that have become so, as numbers of inlet and column.
+  std::vector<std::pair<std::size_t, std::size_t>> choose_columns() {
+    std::vector<std::pair<std::size_t, std::size_t>> risen;
+    for (std::size_t n = 0; n < inlets_.size(); ++n) {
+      const InletColumns& of = inlets_[n];
+      for (std::size_t c = of.first; c < of.first + of.count; ++c) {
+        Column& column = columns_[c];
+        const bool full = is_full(n, column);
+        if (full && !column.is_full) {
+          column.phase = 0.5 * spacing_;
+          risen.emplace_back(n, c);
+        }
+        if (!full && column.is_full) drying_[n] += layers_ * column.mass;
+        column.is_full = full;
+      }
+    }
+    return risen;
   }
 
   /// The discharge as the inlet has it, spread over the columns that are full.
