@@ -14,12 +14,6 @@ namespace {
 
 std::string length(double metres) { return format_quantity(metres, "m"); }
 
-std::string place(const Case& scene, const Vec3& p) {
-  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
-  return scene.info.dimension == 2 ? fmt::format("x = {}, z = {}", text(p.x()), text(p.z()))
-                                   : fmt::format("x = {}, y = {}, z = {}", text(p.x()), text(p.y()), text(p.z()));
-}
-
 bool inside_domain(const Case& scene, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.info.dimension == 2 && axis == 1) continue;
@@ -110,13 +104,13 @@ void check_places(const Case& scene, const std::vector<PlacedShape>& shapes, con
           fmt::format("{} has {} of its {} particles outside of the domain, the first at {}; enlarge "
                       "[domain] or shrink the shape",
                       where(scene, *shapes[s].shape), outside_domain[s].count, filling.shapes[s].kept,
-                      place(scene, outside_domain[s].first)));
+                      placed_text(scene, outside_domain[s].first)));
     if (outside_rooms[s].count > 0)
       throw InputError(
           fmt::format("{} has {} of its {} particles outside of every container, the first at {}; shrink "
                       "the shape, or open that face of the container",
                       where(scene, *shapes[s].shape), outside_rooms[s].count, filling.shapes[s].kept,
-                      place(scene, outside_rooms[s].first)));
+                      placed_text(scene, outside_rooms[s].first)));
   }
 }
 

@@ -51,12 +51,6 @@ std::vector<PlacedOpening> placed_openings(const Case& scene) {
   return placed;
 }
 
-std::string at(const Vec3& p, const Case& scene) {
-  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
-  return scene.info.dimension == 2 ? fmt::format("x = {}, z = {}", text(p.x()), text(p.z()))
-                                   : fmt::format("x = {}, y = {}, z = {}", text(p.x()), text(p.y()), text(p.z()));
-}
-
 /// Nodes that a zone finds in its way.
 struct InZone {
   std::int64_t cleared = 0;
@@ -147,18 +141,18 @@ void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, F
           fmt::format("{}: {}: {} wall particles stand in its opening or its zone of {}, the first at {}; "
                       "clear the way with a shape of role \"empty\", or move the opening",
                       scene.file.string(), opening.name(), found.walls, format_quantity(opening.length, "m"),
-                      at(found.wall, scene)));
+                      placed_text(scene, found.wall)));
     }
     if (found.behind > 0) {
       throw InputError(fmt::format(
           "{}: {}: water stands behind its zone of {}, the first at {}; let the shape end there", scene.file.string(),
-          opening.name(), format_quantity(opening.length, "m"), at(found.water, scene)));
+          opening.name(), format_quantity(opening.length, "m"), placed_text(scene, found.water)));
     }
     if (found.bare > 0) {
       throw InputError(fmt::format(
           "{}: {}: sediment lies past its plane, the first at {}; let a wall take its place from there on, as no water "
           "presses on a bed where the zone ends",
-          scene.file.string(), opening.name(), at(found.sediment, scene)));
+          scene.file.string(), opening.name(), placed_text(scene, found.sediment)));
     }
     if (found.cleared > 0) {
       notes.say(fmt::format("{}: {} particles are taken out of its zone of {}, which the solver fills", opening.name(),

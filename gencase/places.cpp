@@ -33,6 +33,13 @@ std::string placed_text(double metres, double spacing) {
   return suffices(metres, spacing, digits) ? format_quantity(metres, "m") : with_all_digits(metres, spacing) + " m";
 }
 
+std::string placed_text(const Case& scene, const Vec3& place) {
+  const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
+  return scene.info.dimension == 2
+             ? fmt::format("x = {}, z = {}", text(place.x()), text(place.z()))
+             : fmt::format("x = {}, y = {}, z = {}", text(place.x()), text(place.y()), text(place.z()));
+}
+
 std::string placed_number(double metres, double spacing) {
   constexpr int digits = 6;
   return suffices(metres, spacing, digits) ? fmt::format("{:.6g}", metres) : with_all_digits(metres, spacing);

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "case/models/driven_flow.hpp"
 #include "common/csv.hpp"
+#include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 #include "physics/water/log_profile.hpp"
 
@@ -54,6 +56,15 @@ Way way_of(const Case& of, const ParticleSet& particles) {
     way.to = std::max(in, out);
   }
   return way;
+}
+
+/// The particles of a file; none of one that cannot be read, which the extraction of profiles names in its warnings.
+std::optional<ParticleSet> readable(const std::filesystem::path& file) {
+  try {
+    return read_particles(file);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 void add(const ParticleSet& particles, const Way& way, double place, double reach, double spacing, Sums& sums) {
@@ -119,9 +130,12 @@ std::vector<VelocityStation> velocity_stations(const Case& of, const std::vector
   std::array<Sums, places.size()> sums;
   Way way;
   double read = 0;
-  for (std::size_t n = 0; n < late.size(); n += stride, read += 1) {
-    const ParticleSet particles = read_particles(late[n]->file);
-    if (n == 0) way = way_of(of, particles);
+  for (std::size_t n = 0; n < late.size(); n += stride) {
+    const std::optional<ParticleSet> snapshot = readable(late[n]->file);
+    if (!snapshot) continue;
+    const ParticleSet& particles = *snapshot;
+    if (read == 0) way = way_of(of, particles);
+    read += 1;
     for (std::size_t s = 0; s < places.size(); ++s) {
       add(particles, way, way.from + places.at(s) * (way.to - way.from), reach, of.numerics.spacing, sums.at(s));
     }

@@ -24,8 +24,8 @@ struct VelocityStation {
 /// Velocity profiles at three places along a current that lasts: at a quarter, half and three quarters of the way from
 /// the first inlet to the first outlet, or of the extent of the water. They are means over the snapshots of the last half
 /// of the run, of twenty of them at the most; in space over all of the width. Rows that water fills in less than half of
-/// the snapshots are left out. None without such a current, and in places without water. Throws InputError for a
-/// snapshot that cannot be read.
+/// the snapshots are left out. None without such a current, and in places without water. A snapshot that
+/// cannot be read is passed over.
 std::vector<VelocityStation> velocity_stations(const Case& of, const std::vector<SeriesEntry>& snapshots);
 
 /// Writes them as a table: place [m], height [m], velocity [m/s], law [m/s].

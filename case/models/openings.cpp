@@ -90,7 +90,8 @@ std::vector<Rule> OpenBoundaries::rules() {
            "write seepage = \"off\", or remove the inlets and outlets"},
           {DrivenFlow::is_on, "flow.drive", "a flow that is driven around a period has inlets or outlets too",
            "remove flow.drive, or the inlets and outlets"},
-          {has_no_water, "case.name", "outlets and neither water nor an inlet", "give a shape the role \"water\""}};
+          {has_no_water, "case.name", "the scene has outlets, and neither water nor an inlet",
+           "give a shape the role \"water\""}};
 }
 
 }  // namespace models

@@ -59,4 +59,17 @@ void check_within_run(const CheckContext& at, std::string_view key, const std::v
   }
 }
 
+void check_table_over_time(const CheckContext& at, const std::string& column, const std::vector<double>& times,
+                           const std::vector<double>& values) {
+  if (times.size() != values.size() || values.size() < 2) {
+    at.reject(at.key(column), fmt::format("{} has {} times and {} {}", at.path(), times.size(), values.size(), column),
+              "give as many of both, two at least");
+  }
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) continue;
+    at.reject(at.key("times"), fmt::format("{} has {} s after {} s", at.key("times"), times[i], times[i - 1]),
+              "let them increase");
+  }
+}
+
 }  // namespace thalweg

@@ -31,6 +31,11 @@ void check_corners(const CheckContext& at, const Vec3& from, const Vec3& to);
 /// The times of the key have to lie within a run that ends at `end` [s].
 void check_within_run(const CheckContext& at, std::string_view key, const std::vector<double>& times, double end);
 
+/// A table of the entry, `times` [s] and the values of the key `column`, has to have as many of both, two at least, and
+/// times that increase.
+void check_table_over_time(const CheckContext& at, const std::string& column, const std::vector<double>& times,
+                           const std::vector<double>& values);
+
 /// Refuses keys that are given and mean nothing in this entry (uses_key). `reason_of(key)` ends the message "KEY means
 /// nothing ...": "with drive = \"off\"".
 template <class Entry, class Reason>

@@ -38,16 +38,7 @@ void check_table(const CheckContext& at, const Motion& m, const std::string& col
     at.reject(at.path(), at.path() + " does not say how far it goes",
               fmt::format("give times and {}, or a file{}", column, other_way));
   }
-  if (m.times.size() != values.size() || values.size() < 2) {
-    at.reject(at.key(column),
-              fmt::format("{} has {} times and {} {}", at.path(), m.times.size(), values.size(), column),
-              "give as many of both, two at least");
-  }
-  for (std::size_t i = 1; i < m.times.size(); ++i) {
-    if (m.times[i] > m.times[i - 1]) continue;
-    at.reject(at.key("times"), fmt::format("{} has {} s after {} s", at.key("times"), m.times[i], m.times[i - 1]),
-              "let them increase");
-  }
+  check_table_over_time(at, column, m.times, values);
 }
 
 void check_rotation(const CheckContext& at, const Motion& m) {

@@ -121,17 +121,7 @@ void Opening::check_place(const Case& whole, const CheckContext& at_table) const
 
 void Opening::check_times(const CheckContext& at_table, const std::string& column,
                           const std::vector<double>& values) const {
-  if (times.size() != values.size() || values.size() < 2) {
-    at_table.reject(at_table.key(column),
-                    fmt::format("{} has {} times and {} {}", at_table.path(), times.size(), values.size(), column),
-                    "give as many of both, two at least");
-  }
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) continue;
-    at_table.reject(at_table.key("times"),
-                    fmt::format("{} has {} s after {} s", at_table.key("times"), times[i], times[i - 1]),
-                    "let them increase");
-  }
+  check_table_over_time(at_table, column, times, values);
 }
 
 void Opening::check_levels(const Case& whole, const CheckContext& at_table) const {

@@ -68,6 +68,18 @@ TEST(VelocityStations, FindTheLawThatTheWaterHas) {
   EXPECT_NEAR(stations[0].velocity[4], log_profile(0.044, 0.045, 1e-6, 1e-3), 1e-5);
 }
 
+TEST(VelocityStations, PassOverADamagedSnapshot) {
+  const TemporaryFolder folder("damaged_station");
+  const auto whole = folder.path() / "s0.vtp";
+  const auto damaged = folder.path() / "s1.vtp";
+  write_particles(whole, current(0.044), PositionPrecision::double_precision);
+  manufactured::write_text(damaged, "no particles");
+  const std::vector<VelocityStation> stations = velocity_stations(flume(), {{1, damaged}, {1.5, whole}});
+  ASSERT_EQ(stations.size(), 3U);
+  EXPECT_NEAR(stations[0].depth, 0.1, 1e-4);
+  EXPECT_TRUE(velocity_stations(flume(), {{1, damaged}}).empty());
+}
+
 TEST(VelocityStations, AreNoneWithoutACurrent) {
   Case still = flume();
   still.flow.drive = Drive::off;
