@@ -16,7 +16,7 @@ using Foam::label;
 
 Foam::scalarField weight_of_columns(const EffectivePressureLaw& law, const MeshColumns& columns,
                                     const Foam::volScalarField& sediment) {
-  Bed bed;
+  GrainColumns bed;
   bed.grid = columns.grid();
   bed.area = columns.area();
   bed.floor = columns.floor();

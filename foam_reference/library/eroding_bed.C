@@ -11,6 +11,8 @@
 #include <zeroGradientFvPatchFields.H>
 #include "foam_reference/library/dictionary_choices.H"
 #include "foam_reference/library/suspended_grains.H"
+#include "physics/bed/avalanche.hpp"
+#include "physics/bed/move_bed_load.hpp"
 
 namespace Foam {
 namespace functionObjects {
@@ -126,26 +128,13 @@ void erodingBed::find_transport() {
     const double over_ground = std::hypot(velocity.x(), velocity.y());
     stress_[c] = {};
     if (over_ground > 0) {
-      stress_[c] = thalweg::foam::bed_stress(grains_law_, speed, above[column].first(), velocity.x() / over_ground,
+      stress_[c] = thalweg::bed_stress(grains_law_, speed, above[column].first(), velocity.x() / over_ground,
                                              velocity.y() / over_ground);
     }
-    critical_[c] = thalweg::foam::critical_on_slope(grains_law_, stress_[c], slope_x, slope_y);
-    pick_up_[c] = thalweg::foam::pick_up(grains_law_, stress_[c], critical_[c]);
+    critical_[c] = thalweg::critical_on_slope(grains_law_, stress_[c], slope_x, slope_y);
+    pick_up_[c] = thalweg::pick_up_of(grains_law_, stress_[c], critical_[c]);
     brake_[c] = speed > 0 ? stress_[c].friction_velocity * stress_[c].friction_velocity / speed : 0;
   }
-}
-
-// A grain that crosses between two columns climbs or falls from one to the other. The slope between them therefore
-// decides, not the mean slope at either.
-double erodingBed::bed_load_sent(int column, int axis, bool forward) const {
-  const auto& stress = stress_[at(column)];
-  const double along = (axis == 0 ? stress.along_x : stress.along_y) * (forward ? 1 : -1);
-  if (along <= 0) return 0;
-  const double between = bed_.slope_between(column, axis, forward);
-  const double across = bed_.slope(column, 1 - axis);
-  const double critical = axis == 0 ? thalweg::foam::critical_on_slope(grains_law_, stress, between, across)
-                                    : thalweg::foam::critical_on_slope(grains_law_, stress, across, between);
-  return along * thalweg::foam::bed_load(grains_law_, stress, critical);
 }
 
 // Grains rise from each column into the lowest free cells above it, and settle from them. A cell takes no more grains
@@ -227,10 +216,13 @@ bool erodingBed::execute() {
   exchange_with_water();
   grains_.correctBoundaryConditions();
   left_ += returnReduce(thalweg::foam::carry_grains(grains_, water, free_, water_flux, grains_law_), sumOp<scalar>());
-  thalweg::foam::move_bed_load(
-      bed_, [&](int column, int axis, bool forward) { return bed_load_sent(column, axis, forward); },
+  thalweg::move_bed_load(
+      bed_,
+      [&](int column, int axis, bool forward) {
+        return thalweg::bed_load_between(bed_, grains_law_, stress_[at(column)], column, axis, forward);
+      },
       time_.deltaTValue());
-  thalweg::foam::avalanche(bed_, grains_law_.tan_friction);
+  thalweg::avalanche(bed_, grains_law_.tan_friction);
   take_in_covered_grains();
   update_fields();
   write_balance();
@@ -276,7 +268,7 @@ bool erodingBed::write() {
     file << columns_.centre(column, 0) << tab << columns_.centre(column, 1) << tab << bed_.floor[c] << tab
          << bed_.level(column) << tab << above[c] / (bed_.packing * bed_.area[c]) << tab << stress_[c].friction_velocity
          << tab << stress_[c].shields << tab << critical_[c] << tab
-         << thalweg::foam::bed_load(grains_law_, stress_[c], critical_[c]) << tab << pick_up_[c] << nl;
+         << thalweg::bed_load_of(grains_law_, stress_[c], critical_[c]) << tab << pick_up_[c] << nl;
   }
   return true;
 }

@@ -1,18 +1,20 @@
-#include "foam_reference/library/bed.hpp"
+#include "physics/bed/grain_columns.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "foam_reference/library/grains_law.hpp"
+#include "physics/bed/avalanche.hpp"
+#include "physics/bed/grains.hpp"
+#include "physics/bed/move_bed_load.hpp"
 
-namespace thalweg::foam {
+namespace thalweg {
 namespace {
 
 // A flat bed 0.05 m thick, half of it grains, in columns of 10 mm.
-Bed flat_bed(int nx, int ny) {
-  Bed bed;
+GrainColumns flat_bed(int nx, int ny) {
+  GrainColumns bed;
   bed.grid = {nx, ny, 0.01, 0.01, false, false};
   bed.packing = 0.5;
   const auto columns = static_cast<std::size_t>(nx * ny);
@@ -23,7 +25,7 @@ Bed flat_bed(int nx, int ny) {
 }
 
 TEST(Bed, LevelsFollowTheGrains) {
-  Bed bed = flat_bed(3, 1);
+  GrainColumns bed = flat_bed(3, 1);
   EXPECT_NEAR(bed.level(1), 0.05, 1e-15);
   bed.floor[1] = 0.02;
   EXPECT_NEAR(bed.level(1), 0.07, 1e-15);
@@ -33,7 +35,7 @@ TEST(Bed, LevelsFollowTheGrains) {
 }
 
 TEST(Bed, NeighboursEndAtWallsAndGoAroundPeriods) {
-  Bed bed = flat_bed(3, 2);
+  GrainColumns bed = flat_bed(3, 2);
   EXPECT_EQ(bed.grid.neighbour(0, 0, false), -1);
   EXPECT_EQ(bed.grid.neighbour(2, 1, true), 5);
   bed.grid.periodic_x = true;
@@ -45,7 +47,7 @@ TEST(Bed, NeighboursEndAtWallsAndGoAroundPeriods) {
 
 // A uniform bed load changes the ends only: dz = q dt/((1 - n) dx) = 1e-3 * 0.01/(0.5 * 0.01) = 2 mm.
 TEST(MoveBedLoad, ErodesAtTheBeginningAndDepositsAtTheEnd) {
-  Bed bed = flat_bed(5, 1);
+  GrainColumns bed = flat_bed(5, 1);
   const double before = bed.total();
   move_bed_load(
       bed, [](int, int axis, bool forward) { return axis == 0 && forward ? 1e-3 : 0.0; }, 0.01);
@@ -56,7 +58,7 @@ TEST(MoveBedLoad, ErodesAtTheBeginningAndDepositsAtTheEnd) {
 }
 
 TEST(MoveBedLoad, TakesNoMoreThanThereIs) {
-  Bed bed = flat_bed(3, 3);
+  GrainColumns bed = flat_bed(3, 3);
   const double before = bed.total();
   move_bed_load(
       bed, [](int, int, bool) { return 10.0; }, 1);
@@ -67,7 +69,7 @@ TEST(MoveBedLoad, TakesNoMoreThanThereIs) {
 // A tower slides into a heap whose slopes are at the angle of repose, as many grains as before.
 TEST(Avalanche, LeavesSlopesAtTheAngleOfRepose) {
   for (const int ny : {1, 21}) {
-    Bed bed = flat_bed(21, ny);
+    GrainColumns bed = flat_bed(21, ny);
     bed.grains[static_cast<std::size_t>(10 + 21 * (ny / 2))] *= 4;
     const double before = bed.total();
     const double repose = std::tan(0.6);
@@ -84,7 +86,7 @@ TEST(Avalanche, LeavesSlopesAtTheAngleOfRepose) {
 }
 
 TEST(Avalanche, LeavesAFlatBedAlone) {
-  Bed bed = flat_bed(4, 4);
+  GrainColumns bed = flat_bed(4, 4);
   const std::vector<double> before = bed.grains;
   EXPECT_TRUE(avalanche(bed, 0.5));
   EXPECT_EQ(bed.grains, before);
@@ -113,7 +115,7 @@ TEST(BedStress, GivesTheBedLoadOfAFlatBed) {
   EXPECT_NEAR(stress.shields, 0.401, 1e-3);
   const double critical = critical_on_slope(of, stress, 0, 0);
   EXPECT_NEAR(critical, 0.0636, 1e-4);
-  EXPECT_NEAR(bed_load(of, stress, critical), 8 * std::pow(0.3378, 1.5) * 4.766e-4, 5e-6);
+  EXPECT_NEAR(bed_load_of(of, stress, critical), 8 * std::pow(0.3378, 1.5) * 4.766e-4, 5e-6);
 }
 
 // k = 0.501927 down and 1.377458 up a slope of 20 degrees, 0.764522 across (slope_factor.hpp); never below a twentieth.
@@ -130,9 +132,9 @@ TEST(BedStress, FeelsTheSlope) {
 
 TEST(BedStress, IsNothingInStillWater) {
   const BedStress stress = bed_stress(pvc(), 0, 0.005, 0, 0);
-  EXPECT_EQ(bed_load(pvc(), stress, critical_on_slope(pvc(), stress, 0, 0)), 0);
-  EXPECT_EQ(pick_up(pvc(), stress, 0), 0);
+  EXPECT_EQ(bed_load_of(pvc(), stress, critical_on_slope(pvc(), stress, 0, 0)), 0);
+  EXPECT_EQ(pick_up_of(pvc(), stress, 0), 0);
 }
 
 }  // namespace
-}  // namespace thalweg::foam
+}  // namespace thalweg

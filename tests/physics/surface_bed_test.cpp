@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "physics/bed/advance_bed.hpp"
+
+// The bed as a surface against exact solutions: a heap's slope, the kinematic wave of a dune and of a trench, uniform
+// transport, ends.
+namespace thalweg {
+namespace {
+
+/// Sand of 1 mm.
+Grains sand() {
+  Grains of;
+  of.density = 2650;
+  of.diameter = 0.001;
+  of.porosity = 0.4;
+  of.tan_friction = std::tan(32 * M_PI / 180);
+  of.lift_ratio = 0.85;
+  of.roughness = 0.0025;
+  of.critical_shields = 0.047;
+  of.water_density = 1000;
+  of.water_viscosity = 1e-6;
+  of.gravity = 9.81;
+  return of;
+}
+
+GrainColumns bed_of(int nx, int ny, double width, const Grains& of, double thickness) {
+  GrainColumns bed;
+  bed.grid = {nx, ny, width, ny > 1 ? width : 1.0, false, false};
+  bed.packing = 1 - of.porosity;
+  const auto columns = static_cast<std::size_t>(nx * ny);
+  bed.area.assign(columns, bed.grid.dx * bed.grid.dy);
+  bed.floor.assign(columns, 0.0);
+  bed.grains.assign(columns, bed.packing * bed.area[0] * thickness);
+  return bed;
+}
+
+/// Friction velocity of a Shields number.
+double friction_velocity_at(const Grains& of, double shields) {
+  return std::sqrt(shields * (of.density / of.water_density - 1) * of.gravity * of.diameter);
+}
+
+double bed_load_at(const Grains& of, double shields) {
+  const BedStress stress = bed_stress_of(of, friction_velocity_at(of, shields), 1, 0);
+  return bed_load_of(of, stress, stress.flat_critical);
+}
+
+// A column of grains set free becomes a cone of the angle of repose in every direction, within half a degree.
+TEST(SurfaceBed, AHeapIsAConeOfTheAngleOfRepose) {
+  const Grains of = sand();
+  for (const int cells : {31, 61}) {
+    const double dx = 0.3 / cells;
+    GrainColumns bed = bed_of(cells, cells, dx, of, 0);
+    const int middle = cells / 2;
+    const double volume = bed.packing * M_PI / 3 * of.tan_friction * std::pow(0.1, 3);  // of a cone of the radius 0.1 m
+    // Grains fall onto the middle little by little, as from a funnel.
+    const int parts = 100;
+    for (int part = 0; part < parts; ++part) {
+      bed.grains[static_cast<std::size_t>(middle * cells + middle)] += volume / parts;
+      ASSERT_TRUE(avalanche(bed, of.tan_friction, 200000));
+    }
+    EXPECT_NEAR(bed.total(), volume, 1e-9 * volume);
+    const auto level = [&](double angle, double radius) {
+      const double x = middle + radius * std::cos(angle) / dx;
+      const double y = middle + radius * std::sin(angle) / dx;
+      const int i = static_cast<int>(x);
+      const int j = static_cast<int>(y);
+      const double fx = x - i;
+      const double fy = y - j;
+      const auto at = [&](int a, int b) { return bed.level(b * cells + a); };
+      return (1 - fx) * ((1 - fy) * at(i, j) + fy * at(i, j + 1)) +
+             fx * ((1 - fy) * at(i + 1, j) + fy * at(i + 1, j + 1));
+    };
+    double sum = 0;
+    const int directions = 32;
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * M_PI * k / directions;
+      const double slope = (level(angle, 0.02) - level(angle, 0.08)) / 0.06;
+      EXPECT_NEAR(std::atan(slope) * 180 / M_PI, 32, cells > 50 ? 0.5 : 1.0) << "direction " << angle;
+      sum += slope / directions;
+    }
+    EXPECT_NEAR(std::atan(sum) * 180 / M_PI, 32, 0.5) << cells;
+  }
+}
+
+/// Level-weighted middle of a bump or trench on a flat bed of the level `flat` [m].
+double middle_of(const GrainColumns& bed, double flat) {
+  double sum = 0;
+  double first = 0;
+  for (int c = 0; c < bed.grid.columns(); ++c) {
+    const double height = bed.level(c) - flat;
+    sum += height;
+    first += height * (c + 0.5) * bed.grid.dx;
+  }
+  return first / sum;
+}
+
+/// A low dune, or a shallow trench, in a current of unit discharge under a rigid lid: theta = theta_0 (H/(H - z))^2. Its
+/// celerity is that of the kinematic wave, (dq/dz)/(1 - n).
+double celerity_error(double amplitude, double dx) {
+  const Grains of = sand();
+  const double lid = 0.2;      // [m] depth
+  const double shields = 0.2;  // on the flat bed
+  const double flat = 0.05;    // [m]
+  const double length = 1.2;   // [m]
+  const auto shields_at = [&](double z) { return shields * std::pow(lid / (lid - z), 2); };
+  GrainColumns bed = bed_of(static_cast<int>(std::lround(2.4 / dx)), 1, dx, of, flat);
+  bed.grid.periodic_x = true;
+  for (int c = 0; c < bed.grid.columns(); ++c) {
+    const double x = (c + 0.5) * dx - 0.7;
+    const double height = std::abs(x) < 0.5 * length ? 0.5 * amplitude * (1 + std::cos(2 * M_PI * x / length)) : 0;
+    bed.grains[GrainColumns::at(c)] += bed.packing * bed.area[0] * height;
+  }
+  const double start = middle_of(bed, flat);
+  const double before = bed.total();
+  double time = 0;
+  std::vector<BedStress> stress(bed.grains.size());
+  while (time < 300) {
+    for (int c = 0; c < bed.grid.columns(); ++c) {
+      stress[GrainColumns::at(c)] = bed_stress_of(of, friction_velocity_at(of, shields_at(bed.level(c) - flat)), 1, 0);
+    }
+    time += advance_bed(bed, of, stress, 300 - time, 0.02 * dx).time;
+  }
+  EXPECT_NEAR(bed.total(), before, 1e-9 * before);
+  // The middle of a bump of any height moves with the mean of (q(z) - q(0))/(1 - n) over that of z.
+  double flux = 0;
+  double height = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double z = 0.5 * amplitude * (1 + std::cos(2 * M_PI * (k + 0.5) / 1000));
+    flux += bed_load_at(of, shields_at(z)) - bed_load_at(of, shields);
+    height += z;
+  }
+  const double exact = flux / height / (1 - of.porosity);
+  return (middle_of(bed, flat) - start) / time / exact - 1;
+}
+
+TEST(SurfaceBed, ADuneMovesAsTheKinematicWave) {
+  EXPECT_NEAR(celerity_error(0.005, 0.02), 0, 0.05);
+  EXPECT_NEAR(celerity_error(0.005, 0.01), 0, 0.05);
+}
+
+TEST(SurfaceBed, ATrenchMovesAsTheKinematicWave) {
+  EXPECT_NEAR(celerity_error(-0.005, 0.02), 0, 0.05);
+  EXPECT_NEAR(celerity_error(-0.005, 0.01), 0, 0.05);
+}
+
+// Under one stress everywhere a bed between a fed and an open end stays as it is, and what leaves is the law's.
+TEST(SurfaceBed, UniformTransportLeavesTheBedAlone) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(40, 1, 0.01, of, 0.05);
+  bed.end.assign(40, BedEnd::closed);
+  bed.end.front() = BedEnd::fed;
+  bed.end.back() = BedEnd::forth_x;
+  const std::vector<BedStress> stress(40, bed_stress_of(of, friction_velocity_at(of, 0.15), 1, 0));
+  const double before = bed.total();
+  const BedAdvance done = advance_bed(bed, of, stress, 100, 1);
+  EXPECT_DOUBLE_EQ(done.time, 100);
+  for (int c = 0; c < 40; ++c) EXPECT_NEAR(bed.level(c), 0.05, 1e-12);
+  EXPECT_NEAR(bed.left / 100, bed_load_at(of, 0.15), 1e-9 * bed_load_at(of, 0.15));
+  EXPECT_NEAR(bed.total() + bed.left - bed.fed, before, 1e-9 * before);
+}
+
+TEST(SurfaceBed, BelowThresholdNothingMovesAtAll) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(20, 5, 0.01, of, 0.05);
+  const std::vector<double> before = bed.grains;
+  const std::vector<BedStress> stress(100, bed_stress_of(of, friction_velocity_at(of, 0.046), 1, 0));
+  EXPECT_DOUBLE_EQ(advance_bed(bed, of, stress, 1e5, 0.1).time, 1e5);
+  EXPECT_EQ(bed.grains, before);
+}
+
+// Behind a fixed floor clear water digs, and the hole's rate at the edge is q/((1 - n) dx).
+TEST(SurfaceBed, ClearWaterScoursBehindAFixedFloor) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(40, 1, 0.01, of, 0.05);
+  for (std::size_t c = 0; c < 10; ++c) {
+    bed.floor[c] = 0.05;
+    bed.grains[c] = 0;
+  }
+  std::vector<BedStress> stress(40, bed_stress_of(of, friction_velocity_at(of, 0.15), 1, 0));
+  const BedAdvance done = advance_bed(bed, of, stress, 1e4, 0.0005);
+  EXPECT_NEAR(done.largest_change, 0.0005, 5e-5);
+  const double expected = bed_load_at(of, 0.15) / (1 - of.porosity) / 0.01 * done.time;
+  EXPECT_NEAR(0.05 - bed.level(10), expected, 0.12 * expected);  // the slope towards the hole speeds it up
+}
+
+// Beneath a body grains fill the gap and no more.
+TEST(SurfaceBed, ABedStopsBelowABody) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(30, 1, 0.01, of, 0.05);
+  bed.ceiling.assign(30, INFINITY);
+  bed.ceiling[15] = 0.052;
+  std::vector<BedStress> stress(30);
+  for (int c = 0; c < 30; ++c) {
+    stress[GrainColumns::at(c)] = bed_stress_of(of, friction_velocity_at(of, c <= 15 ? 0.2 : 0.02), 1, 0);
+  }
+  const double before = bed.total();
+  advance_bed(bed, of, stress, 1e3, 1);
+  EXPECT_LE(bed.level(15), 0.052 + 1e-12);
+  EXPECT_NEAR(bed.total(), before, 1e-9 * before);
+}
+
+// A flow across a slope carries grains down it, by Ikeda's share of the bed load.
+TEST(SurfaceBed, GrainsRollDownASlopeAcrossTheFlow) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(9, 9, 0.01, of, 0.05);
+  for (int c = 0; c < 81; ++c) bed.grains[GrainColumns::at(c)] += bed.packing * bed.area[0] * 0.001 * (c / 9);
+  const BedStress stress = bed_stress_of(of, friction_velocity_at(of, 0.15), 1, 0);
+  const double slope = 0.1;
+  const double critical = critical_on_slope(of, stress, 0, slope);
+  const double along = bed_load_between(bed, of, stress, 40, 0, true);
+  EXPECT_NEAR(along, bed_load_of(of, stress, critical), 1e-12);
+  EXPECT_NEAR(bed_load_between(bed, of, stress, 40, 1, false) / along, 1.5 * std::sqrt(critical / 0.15) * slope, 1e-9);
+  EXPECT_EQ(bed_load_between(bed, of, stress, 40, 1, true), 0);
+}
+
+}  // namespace
+}  // namespace thalweg
