@@ -17,6 +17,7 @@ struct WaterRun {
   std::int64_t top = 0;
   std::size_t first = 0;
   double roughness = 0;  // of what it stands on [m]
+  double in_column = 0;  // depth of all water over the same place, which shares the discharge [m]
 };
 
 class FlowStarter {
@@ -28,7 +29,7 @@ class FlowStarter {
   void start(const WaterRun& run, std::span<const Label> labels) const {
     const double spacing = scene_.numerics.spacing;
     const double depth = static_cast<double>(run.top - run.bottom) * spacing;
-    const double friction = friction_velocity(depth, run.roughness);
+    const double friction = friction_velocity(run, depth);
     const double mean = velocity_at(friction, depth * std::exp(-1.0), run.roughness);
     for (std::int64_t node = run.bottom; node < run.top; ++node) {
       if (!is_started(labels[static_cast<std::size_t>(node)])) continue;
@@ -58,7 +59,7 @@ class FlowStarter {
     return friction > 0 ? log_profile(friction, z, viscosity(), roughness) : 0;
   }
 
-  [[nodiscard]] double friction_velocity(double depth, double roughness) const {
+  [[nodiscard]] double friction_velocity(const WaterRun& run, double depth) const {
     const Flow& flow = scene_.flow;
     switch (flow.drive) {
       case Drive::off:
@@ -69,8 +70,8 @@ class FlowStarter {
       case Drive::velocity:
         break;
     }
-    const double mean = flow.discharge > 0 ? flow.discharge / depth : flow.velocity;
-    return friction_velocity_of_current(mean, depth, viscosity(), roughness);
+    const double mean = flow.discharge > 0 ? flow.discharge / run.in_column : flow.velocity;
+    return friction_velocity_of_current(mean, depth, viscosity(), run.roughness);
   }
 
   [[nodiscard]] bool is_started(Label label) const {
@@ -111,13 +112,14 @@ void start_flow(const Case& scene, const std::vector<PlacedShape>& shapes, const
   std::size_t particle = 0;
   for (std::int64_t column = 0; column < lattice.columns(); ++column) {
     const std::span<const Label> labels(filling.label.data() + column * length, static_cast<std::size_t>(length));
+    const auto wet = std::count_if(labels.begin(), labels.end(), [&](Label label) { return starter.is_water(label); });
     WaterRun run;
     for (std::int64_t node = 0; node < length; ++node) {
       const Label label = labels[static_cast<std::size_t>(node)];
       if (starter.is_water(label)) {
         if (run.top != node || run.top == 0) {
-          run = {node, node, particle,
-                 node == 0 ? 0 : starter.roughness_of(labels[static_cast<std::size_t>(node - 1)])};
+          run = {node, node, particle, node == 0 ? 0 : starter.roughness_of(labels[static_cast<std::size_t>(node - 1)]),
+                 static_cast<double>(wet) * scene.numerics.spacing};
         }
         run.top = node + 1;
         if (node + 1 == length || !starter.is_water(labels[static_cast<std::size_t>(node + 1)])) {
