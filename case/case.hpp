@@ -22,6 +22,7 @@
 #include "case/tables/output.hpp"
 #include "case/tables/sediment.hpp"
 #include "case/tables/shape.hpp"
+#include "case/tables/surface_bed.hpp"
 #include "case/tables/suspended_load.hpp"
 #include "case/tables/water.hpp"
 
@@ -44,6 +45,7 @@ struct Case {
   std::map<std::string, SedimentTable> sediments;  // by their names
   Model model;
   SuspendedLoad suspended_load;
+  SurfaceBedSettings surface_bed;
   Flow flow;
   std::vector<Inlet> inlets;
   std::vector<Outlet> outlets;
@@ -56,10 +58,11 @@ struct Case {
 
   /// The one list of tables, in the order in which they are read, written and described.
   static constexpr auto tables() {
-    return std::tuple{&Case::info,   &Case::domain,    &Case::shapes,   &Case::motions,        &Case::gencase,
-                      &Case::water,  &Case::sediments, &Case::model,    &Case::suspended_load, &Case::flow,
-                      &Case::inlets, &Case::outlets,   &Case::numerics, &Case::output,         &Case::gauges,
-                      &Case::lines,  &Case::compare,   &Case::foam};
+    return std::tuple{&Case::info,           &Case::domain,      &Case::shapes,    &Case::motions,
+                      &Case::gencase,        &Case::water,       &Case::sediments, &Case::model,
+                      &Case::suspended_load, &Case::surface_bed, &Case::flow,      &Case::inlets,
+                      &Case::outlets,        &Case::numerics,    &Case::output,    &Case::gauges,
+                      &Case::lines,          &Case::compare,     &Case::foam};
   }
 
   [[nodiscard]] int dimension() const { return info.dimension; }

@@ -10,6 +10,7 @@
 #include "case/models/rest.hpp"
 #include "case/models/sediment_motion.hpp"
 #include "case/models/shifting.hpp"
+#include "case/models/surface_bed.hpp"
 #include "case/models/suspended_load.hpp"
 #include "case/models/three_state.hpp"
 #include "case/models/turbulence.hpp"
@@ -19,7 +20,8 @@ namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
 using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, OpenBoundaries,
-                       WallStress, MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater>;
+                       WallStress, MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater,
+                       SurfaceBedOfCase>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

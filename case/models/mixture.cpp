@@ -13,6 +13,7 @@ bool lacks_viscoplastic_grains(const Case& c) {
       return false;
     case SedimentModel::off:
     case SedimentModel::three_state:
+    case SedimentModel::surface:
       return true;
   }
   return true;

@@ -11,6 +11,7 @@ bool SedimentMotion::is_on(const Case& whole) {
       return false;
     case SedimentModel::viscoplastic:
     case SedimentModel::three_state:
+    case SedimentModel::surface:
       return true;
   }
   return false;

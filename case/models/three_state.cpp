@@ -10,6 +10,7 @@ bool ThreeState::is_on(const Case& whole) {
   switch (whole.model.sediment) {
     case SedimentModel::off:
     case SedimentModel::viscoplastic:
+    case SedimentModel::surface:
       return false;
     case SedimentModel::three_state:
       return true;

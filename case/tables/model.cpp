@@ -18,6 +18,7 @@ void Model::set_defaults(const GivenWords& given) {
     turbulence = Turbulence::mixing_length;
     wall_friction = WallFriction::smooth;
   }
+  if (given.choice<SedimentModel>("model.sediment") == SedimentModel::surface) wall_friction = WallFriction::smooth;
   switch (given.choice<Implementation>("model.implementation").value_or(Implementation::law)) {
     case Implementation::law:
     case Implementation::consistent:

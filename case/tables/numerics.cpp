@@ -44,7 +44,8 @@ void Numerics::set_defaults(const GivenWords& given) {
                      "thalweg gencase CASE --set numerics.accuracy=...");
   }
   if (const auto level = given.choice<Accuracy>("numerics.accuracy")) *this = numerics_at(*level);
-  const bool has_sediment = given.text("model.sediment", "off") != "off";
+  const std::string sediment = given.text("model.sediment", "off");
+  const bool has_sediment = sediment != "off" && sediment != word_for(SedimentModel::surface);
   const bool in_space = given.text("case.dimension", "2") != "2";
   if ((!has_sediment && !in_space) || given.has_lasting_current()) {
     smoothing_ratio = smoothing_ratio_of_plane_water;

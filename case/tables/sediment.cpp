@@ -3,6 +3,7 @@
 #include "case/case.hpp"
 #include "case/check_context.hpp"
 #include "case/models/pore_pressure.hpp"
+#include "case/models/surface_bed.hpp"
 #include "case/models/three_state.hpp"
 #include "case/tables/common_checks.hpp"
 #include "case/tables/given_words.hpp"
@@ -31,7 +32,8 @@ void SedimentTable::check(const Case& whole, const CheckContext& at) const {
     at.reject(at.key("dense_concentration"), at.key("dense_concentration") + " is below dilute_concentration",
               "give at least as much, so that grains do not change to and fro");
   }
-  if (models::ThreeState::is_on(whole) && !(grain_density > whole.water.density)) {
+  const bool moves_by_law = models::ThreeState::is_on(whole) || models::SurfaceBedOfCase::is_on(whole);
+  if (moves_by_law && !(grain_density > whole.water.density)) {
     at.reject(
         at.key("grain_density"),
         at.key("grain_density") + " is not above the water's density: grains that float have no threshold of motion",

@@ -150,7 +150,7 @@ void find_squared_drift(Device& on, Particles<Device>& p, const Scene<Dim>& scen
   DriftBox* of_block = p.drift_of_block.data();
   on.for_each(blocks.count() * parts,
               CellDrift<Dim>{p.record.data(), p.listed_at.data(), p.roles(), scene.lattice.quantum,
-                             p.drift_cells.data(), scene.has_moving_walls ? 2 : 1, of_cell});
+                             p.drift_cells.data(), scene.walls_move ? 2 : 1, of_cell});
   on.for_each(blocks.count(), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index n) {
                 DriftBox box;
                 for (Index part = 0; part < parts; ++part) box.add(of_cell[n * parts + part]);

@@ -17,16 +17,12 @@ inline constexpr std::uint64_t gone_section = std::uint64_t{1} << 63;
 /// A list cell is ordered inside by eighths, so that four in a row lie close together.
 inline constexpr int fine_bits = 3;
 
-/// Tells which particles leave the arrays: they have no volume. A moving wall without volume stays: it has left the
-/// domain and may come back (models/moving_walls).
+/// Tells which particles leave the arrays: fluid without volume. A wall without volume stays: it has left the domain and
+/// may come back (models/moving_walls), or lies in the ground under a thin bed (models/surface_bed).
 struct Gone {
   const Record* records;
-  const std::uint8_t* type;
 
-  HOST_DEVICE bool operator()(Index i) const {
-    return records[i].volume == 0 && type[i] != static_cast<std::uint8_t>(moving_wall_type);
-  }
-  static constexpr std::uint8_t moving_wall_type = 1;  // ParticleType::moving_wall
+  HOST_DEVICE bool operator()(Index i) const { return records[i].volume == 0 && !is_wall(records[i]); }
 };
 
 /// Counts of the particles that stay, and of the fluid among them.
@@ -38,9 +34,9 @@ struct Census {
 template <class Device>
 Census take_census(Device& on, const Particles<Device>& p) {
   const Record* records = p.record.data();
-  const Gone gone{records, p.type.data()};
+  const Gone gone{records};
   return on.reduce(p.count, Census{},
-                   declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
+                   declare<Reads<field::place, field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
                      if (gone(i)) return Census{};
                      return Census{1, is_wall(records[i]) ? Index{0} : Index{1}};
                    }),
@@ -93,10 +89,10 @@ typename Device::template Buffer<Index> hilbert_order(Device& on, const Particle
   keys.resize(n);
   order.resize(n);
   const HilbertKey<Dim> key(p.record.data(), scene.lattice);
-  const Gone gone{p.record.data(), p.type.data()};
+  const Gone gone{p.record.data()};
   std::uint64_t* k = keys.data();
   Index* o = order.data();
-  on.for_each(n, declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
+  on.for_each(n, declare<Reads<field::place, field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
                 k[i] = gone(i) ? key(i) | gone_section : key(i);
                 o[i] = i;
               }));

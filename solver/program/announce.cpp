@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "case/models/surface_bed.hpp"
 #include "common/units.hpp"
 #include "solver/simulation/start.hpp"
 
@@ -41,6 +42,13 @@ void announce_sediment(const Case& c) {
   announce("model.effective_pressure", c.model.effective_pressure, Model{}.effective_pressure);
   announce("model.yield", c.model.yield, Model{}.yield);
   announce("model.rheology", c.model.rheology, Model{}.rheology);
+  if (models::SurfaceBedOfCase::is_on(c)) {
+    announce("model.bed_load", c.model.bed_load);
+    spdlog::info(
+        "surface_bed: steps of at most {:g} spacings, factor at most {:g}; history.csv has bed_time and levels",
+        c.surface_bed.step, c.surface_bed.factor);
+    return;
+  }
   if (c.model.sediment == SedimentModel::three_state) {
     announce("suspended_load.carried_by", c.suspended_load.carried_by, CarriedBy::parcels);
     announce("model.bed_shear", c.model.bed_shear, Model{}.bed_shear);

@@ -150,7 +150,7 @@ class Run {
     const Totals totals = simulation_->totals();
     const MassLedger ledger = simulation_->ledger();
     const std::vector<OpeningFlux> openings = simulation_->openings();
-    output_.history(totals, ledger, openings, report, clock_, counts_);
+    output_.history(totals, ledger, openings, simulation_->bed(), report, clock_, counts_);
     try {
       balance_.check(totals, ledger, openings, clock_, models::SuspendedLoadOfWater::is_on(case_));
     } catch (const RunError&) {

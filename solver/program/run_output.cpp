@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "case/models/surface_bed.hpp"
 #include "case/models/suspended_load.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
@@ -27,6 +28,10 @@ constexpr const char* history_of_current = ",bulk_velocity [m/s],drive [m/s^2]";
 /// The columns of an opening, after its name.
 constexpr const char* history_of_opening = ",{0}_water [kg],{0}_sediment [kg],{0}_level [m]";
 constexpr const char* history_of_grains = ",{0}_grains [kg]";
+/// Of a bed that is a surface.
+constexpr const char* history_of_bed =
+    ",bed_time [s],bed_factor [-],bed_grains [m^3],bed_fed [m^3],bed_left [m^3],bed_lowest [m],bed_highest [m],"
+    "bed_steps [-],bed_unsettled [-]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -37,6 +42,7 @@ std::string history_heading(const HistoryColumns& columns) {
     heading += fmt::format(fmt::runtime(history_of_opening), name);
     if (columns.grains) heading += fmt::format(fmt::runtime(history_of_grains), name);
   }
+  if (columns.bed) heading += history_of_bed;
   return heading;
 }
 
@@ -54,6 +60,7 @@ HistoryColumns history_columns(const Case& of) {
   HistoryColumns columns;
   columns.current = of.flow.drive != Drive::off;
   columns.grains = models::SuspendedLoadOfWater::is_on(of);
+  columns.bed = models::SurfaceBedOfCase::is_on(of);
   for (const Inlet& inlet : of.inlets) columns.openings.push_back(inlet.name);
   for (const Outlet& outlet : of.outlets) columns.openings.push_back(outlet.name);
   return columns;
@@ -109,7 +116,8 @@ void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
 }
 
 void RunOutput::history(const Totals& t, const MassLedger& ledger, const std::vector<OpeningFlux>& openings,
-                        const StepReport& report, const RunClock& clock, const RunCounts& counts) {
+                        const std::optional<BedReport>& bed, const StepReport& report, const RunClock& clock,
+                        const RunCounts& counts) {
   const double of_sediment = static_cast<double>(std::max<std::int64_t>(1, t.sediment));
   const auto share = [&](std::int64_t n) { return static_cast<double>(n) / of_sediment; };
   std::string row = fmt::format(
@@ -124,6 +132,10 @@ void RunOutput::history(const Totals& t, const MassLedger& ledger, const std::ve
     row += fmt::format(",{:.9g},{:.9g},", opening.water, opening.sediment);
     if (!std::isnan(opening.level)) row += fmt::format("{:.6g}", opening.level);
     if (columns_.grains) row += fmt::format(",{:.9g}", opening.grains);
+  }
+  if (bed) {
+    row += fmt::format(",{:.9g},{:.6g},{:.12g},{:.9g},{:.9g},{:.9g},{:.9g},{},{}", bed->time, bed->factor, bed->grains,
+                       bed->fed, bed->left, bed->lowest, bed->highest, bed->steps, bed->unsettled);
   }
   lock_.require_folder();
   history_->add(row);

@@ -22,6 +22,7 @@ struct HistoryColumns {
   bool current = false;               // velocity and drive of a driven flow
   std::vector<std::string> openings;  // names of inlets, then outlets
   bool grains = false;                // that water carries through them
+  bool bed = false;                   // a bed that is a surface
 };
 
 /// Those of a case.
@@ -43,7 +44,8 @@ class RunOutput {
 
   void snapshot(Simulation& simulation, const RunClock& clock);
   void history(const Totals& totals, const MassLedger& ledger, const std::vector<OpeningFlux>& openings,
-               const StepReport& report, const RunClock& clock, const RunCounts& counts);
+               const std::optional<BedReport>& bed, const StepReport& report, const RunClock& clock,
+               const RunCounts& counts);
   /// Reads the case's gauges off the particles as they are; returns the row as written.
   GaugeRow gauges(Simulation& simulation, const Case& of, const RunClock& clock);
   /// Rows and snapshots up to now are on the disk before the checkpoint that continues them.

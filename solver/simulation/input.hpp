@@ -15,12 +15,13 @@ using AnyScene = std::variant<Scene<2>, Scene<3>>;
 /// The input of a core module (one per device and instruction set).
 struct SimulationInput {
   AnyScene scene;
-  const ParticleSet* particles = nullptr;   // from gencase, or full_state() of an earlier run
-  int threads = 0;                          // 0: as many as the machine has cores
-  bool profile = false;                     // wait for the device after every heading of the timing
-  std::vector<WallMotion> motions = {};     // of the case (models/moving_walls/make_motions.hpp)
-  bool double_pair_sums = false;            // numerics.precision
-  std::shared_ptr<Openings> openings = {};  // of the case (models/openings/make_openings.hpp); null without any
+  const ParticleSet* particles = nullptr;        // from gencase, or full_state() of an earlier run
+  int threads = 0;                               // 0: as many as the machine has cores
+  bool profile = false;                          // wait for the device after every heading of the timing
+  std::vector<WallMotion> motions = {};          // of the case (models/moving_walls/make_motions.hpp)
+  bool double_pair_sums = false;                 // numerics.precision
+  std::shared_ptr<Openings> openings = {};       // of the case (models/openings/make_openings.hpp); null without any
+  std::shared_ptr<SurfaceBed> surface_bed = {};  // of the case (models/surface_bed/make_surface_bed.hpp); null without
 };
 
 /// Makes a simulation on the device `backend` names, "cuda" or "openmp", or with "auto" on the first GPU if there is

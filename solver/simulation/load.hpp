@@ -26,6 +26,7 @@ float kind_of(const Scene<Dim>& scene, const ParticleSet& from, std::size_t i) {
     case ParticleType::sediment:
       break;
   }
+  if (scene.surface_bed.on) return kind::wall;
   const auto kinds = from.scalars.find(checkpoint_array::kind);
   const float known = kinds == from.scalars.end() ? kind::deposit : kinds->second[i];
   if (known == kind::resting) return scene.may_rest ? known : kind::deposit;

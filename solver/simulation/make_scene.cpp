@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/models/surface_bed.hpp"
 #include "case/models/suspended_load.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
@@ -102,7 +103,8 @@ void make_flow(const Case& from, const ParticleSet& particles, double sound_spee
   s.viscosity_switch = n.artificial_viscosity > 0 && n.smoothing_ratio >= least_ratio_of_viscosity_switch;
   s.acoustic_damping = static_cast<float>(n.acoustic_damper * sound_speed * h);
   s.cfl = n.cfl;
-  s.has_sediment = count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0 ||
+  const bool is_fluid = !models::SurfaceBedOfCase::is_on(from);  // else the bed's particles are walls
+  s.has_sediment = (is_fluid && count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0) ||
                    models::SuspendedLoadOfWater::is_on(from);
 }
 

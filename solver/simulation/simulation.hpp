@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ class Simulation {
   virtual MassLedger ledger() const = 0;
   /// Mass that passed each opening since the start; empty without openings.
   virtual std::vector<OpeningFlux> openings() const = 0;
+  /// The bed, if it is a surface.
+  virtual std::optional<BedReport> bed() const = 0;
   virtual SimulationFacts facts() = 0;
   virtual const Timing& timing() const = 0;
   virtual Timing& timing() = 0;

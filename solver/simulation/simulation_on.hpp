@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,7 +26,8 @@ class SimulationOn final : public Simulation {
  public:
   SimulationOn(OnDevice device, std::string name, const Scene<Dim>& scene, const ParticleSet& from,
                bool profile = false, const std::vector<WallMotion>& motions = {},
-               const std::shared_ptr<Openings>& openings = nullptr)
+               const std::shared_ptr<Openings>& openings = nullptr,
+               const std::shared_ptr<SurfaceBed>& surface_bed = nullptr)
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
     if (profile) timing_.wait_with([this] { on_.finish(); });
     load_particles(on_, p_, scene_, from);
@@ -36,6 +38,7 @@ class SimulationOn final : public Simulation {
     if (scene_.has_moving_walls) load_motions(on_, p_, motions, from);
     if (scene_.suspended_load.on) load_grains(on_, p_, scene_, from);
     if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
+    if (scene_.surface_bed.on) load_surface_bed(on_, p_, scene_, work_, surface_bed, from);
     if (scene_.mixing_length) bring_eddy_viscosity(on_, p_, scene_);
     if (scene_.current.on) load_control(on_, work_, scene_, from);
     if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, from);
@@ -81,6 +84,9 @@ class SimulationOn final : public Simulation {
   MassLedger ledger() const override { return work_.population.ledger(); }
   std::vector<OpeningFlux> openings() const override {
     return work_.openings ? work_.openings->fluxes() : std::vector<OpeningFlux>();
+  }
+  std::optional<BedReport> bed() const override {
+    return work_.surface_bed ? std::make_optional(work_.surface_bed->report()) : std::nullopt;
   }
   const Timing& timing() const override { return timing_; }
   Timing& timing() override { return timing_; }
@@ -132,6 +138,7 @@ class SimulationOn final : public Simulation {
     work_.population.add_to(out);
     if (scene_.current.on) add_control(on_.read(work_.control.data()), out);
     if (scene_.has_openings) add_openings(on_, work_, out);
+    if (scene_.surface_bed.on) add_surface_bed(on_, work_, out);
     return out;
   }
 

@@ -1,7 +1,9 @@
 #include "solver/simulation/start.hpp"
 
+#include "case/models/surface_bed.hpp"
 #include "solver/models/moving_walls/make_motions.hpp"
 #include "solver/models/openings/make_openings.hpp"
+#include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "solver/simulation/make_scene.hpp"
 
 namespace thalweg {
@@ -9,8 +11,14 @@ namespace thalweg {
 std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles,
                                              const StartOptions& options) {
   SimulationInput input;
-  input.scene = make_scene(of, particles);
+  ParticleSet laid;
   input.particles = &particles;
+  if (models::SurfaceBedOfCase::is_on(of)) {
+    laid = particles;
+    input.surface_bed = make_surface_bed(of, laid);
+    input.particles = &laid;
+  }
+  input.scene = make_scene(of, *input.particles);
   input.threads = options.threads;
   input.profile = options.profile;
   input.motions = make_motions(of);

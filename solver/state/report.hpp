@@ -62,6 +62,19 @@ struct OpeningFlux {
   bool overflows = false;  // the level stands above the opening
 };
 
+/// A bed that is a surface (model.sediment = "surface"); volumes in 2-D per metre of width.
+struct BedReport {
+  double time = 0;             // [s] that the bed's changes stand for
+  double factor = 0;           // of that time over the water's, in the last window [-]
+  double grains = 0;           // [m^3] volume of the bed's grains
+  double fed = 0;              // [m^3] that came in at its ends
+  double left = 0;             // [m^3] and that went out
+  double lowest = 0;           // [m] level of its surface
+  double highest = 0;          // [m]
+  std::int64_t steps = 0;      // bed steps
+  std::int64_t unsettled = 0;  // of these, under a stress that had not settled
+};
+
 /// Sums over the fluid; 2-D: per metre of width.
 struct Totals {
   double kinetic_energy = 0;       // [J]

@@ -36,6 +36,8 @@ struct FlowScene {
   bool has_sediment = false;
   bool has_drift = false;  // particles may move faster than their velocity says: plus the work quad (models/bed_load)
   bool water_has_grains = false;  // water carries grains, whose mass it moves too (models/suspended_load)
+  bool walls_move = false;        // some walls change their places (models/moving_walls, models/surface_bed)
+  bool keeps_wall_shear = false;  // some model asks for the shear stress on walls (models/wall_stress)
   bool needs_near_walls = false;  // some model sums over the fluid with walls in reach (Particles::near_walls)
 
   HOST_DEVICE float density_at_rest(float kind) const { return kind > 0.5F ? sediment_density : water_density; }

@@ -134,7 +134,7 @@ void find_surfaces(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wa
 /// Finds the distances of all water particles.
 template <int Dim, class Device>
 void find_wall_distances(Device& on, Particles<Device>& p, const Scene<Dim>& scene, WallDistanceWork<Device>& work) {
-  if (work.nearest.empty() || scene.has_sediment || scene.has_moving_walls) find_surfaces(on, p, scene, work);
+  if (work.nearest.empty() || scene.has_sediment || scene.walls_move) find_surfaces(on, p, scene, work);
   const SurfaceLattice<Dim> surfaces(scene, static_cast<SurfaceNodes<Device, Dim>&>(work).nodes.data());
   on.for_each(p.fluid_count, WallDistancePass<Dim>{surfaces, p.position.data(), work.nearest.data(), p.eddies.data()});
 }

@@ -29,6 +29,7 @@ bool has_moving_walls(const Case& of, const ParticleSet& particles) {
 template <int Dim>
 void MovingWallsModel::make(const SceneSource& from, Scene<Dim>& scene) {
   scene.has_moving_walls = has_moving_walls(from.of, from.particles);
+  scene.walls_move = scene.walls_move || scene.has_moving_walls;
 }
 
 template void MovingWallsModel::make(const SceneSource&, Scene<2>&);

@@ -8,6 +8,7 @@
 #include "solver/models/openings/flow.hpp"
 #include "solver/models/openings/openings.hpp"
 #include "solver/models/openings/scene.hpp"
+#include "solver/models/surface_bed/surface_bed.hpp"
 
 namespace thalweg {
 
@@ -26,6 +27,12 @@ struct OpeningsWork {
   Buffer<BesideOpening> beside;
   Buffer<float> speeds;  // [m/s] of the inlets' columns
 };
+
+/// Time in the tables of the openings [s]: the bed's, where it has one of its own.
+template <class Workspace>
+double time_of_openings(const Workspace& work) {
+  return work.surface_bed ? work.surface_bed->bed_time() : work.time;
+}
 
 template <class Device>
 void upload_openings(Device& on, OpeningsWork<Device>& work) {
@@ -96,7 +103,7 @@ struct OpeningsModel {
   template <class Device, class Scene, class Workspace>
   static void before_lists(Device& on, Particles<Device>& p, const Scene& scene, Workspace& work) {
     Openings& openings = *work.openings;
-    openings.fill(work.time, depths_at_openings(on, p, scene, work), work.population);
+    openings.fill(time_of_openings(work), depths_at_openings(on, p, scene, work), work.population);
     upload_openings(on, work);
     for (std::size_t n = 0; n < openings.zones().size(); ++n) {
       const double grains = grains_leaving(on, p, scene, leaving(p, work, n, false));
@@ -109,7 +116,7 @@ struct OpeningsModel {
   static void at_start(C& step) {
     auto& work = step.work;
     auto& p = step.p;
-    if (work.openings->set_time(work.time)) upload_openings(step.on, work);
+    if (work.openings->set_time(time_of_openings(work))) upload_openings(step.on, work);
     step.on.for_each(p.fluid_count,
                      PrescribePass<C::dimension>{p.record.data(), p.position.data(), p.role.data(), work.zones.data(),
                                                  work.levels.data(), work.beside.data(), work.speeds.data(),
@@ -180,7 +187,7 @@ void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
       if (sum.volume > 0) beside[n].pressure = sum.pressure / sum.volume, beside[n].speed = sum.speed / sum.volume;
     }
     const Index before = p.count;
-    openings->fill(work.time, depths_at_openings(on, p, scene, work), work.population);
+    openings->fill(time_of_openings(work), depths_at_openings(on, p, scene, work), work.population);
     work.population.admit(on, p, scene);
     p.fluid_count += p.count - before;
   } else {
@@ -196,7 +203,7 @@ void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
       water = {next[0], next[1], next[2], next[3], next[4], next[5]};
       next += numbers_beside;
     }
-    openings->set_time(work.time);
+    openings->set_time(time_of_openings(work));
   }
   on.upload(std::move(beside), work.beside);
   upload_openings(on, work);

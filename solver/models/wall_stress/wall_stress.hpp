@@ -24,7 +24,7 @@ template <int Dim>
 struct WallElementSweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
   using reads = Reads<field::place, field::flow, field::wall_element, field::wall_normal>;
-  using writes = Writes<field::wall_traction>;
+  using writes = Writes<field::wall_traction, field::wall_shear>;
   static constexpr unsigned kernel = kernel_value;
   template <class L>
   struct Sum {
@@ -38,6 +38,7 @@ struct WallElementSweep {
   Record* records;
   const WallElement* elements;
   const WallNormal* turned;  // nullptr: no wall moves
+  WallShear* shear;          // nullptr: nobody asks for it
   Scene<Dim> scene;
 
   template <class LaneT, class L>
@@ -58,6 +59,7 @@ struct WallElementSweep {
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
     Record& wall = records[i];
     for (float& w : wall.work) w = 0;
+    if (shear != nullptr) shear[i] = WallShear{};
     const WallElement& element = elements[i];
     // Water at the kernel's very edge: its weights may be 1e-30, whose products and quotients single precision cannot hold.
     if (!(element.area > 0 && sum.water > 1e-6F && wall.volume > 0)) return;
@@ -70,6 +72,9 @@ struct WallElementSweep {
     if (!(speed > 0)) return;
     const float stress = stress_over_density(sum, n, speed, element);
     const float force = scene.water_density * stress * element.area * wet_share(sum);
+    for (int k = 0; shear != nullptr && k < Dim; ++k) {
+      shear[i].of[axis<Dim>(k)] = force / element.area * u[k] / speed;
+    }
     for (int k = 0; k < Dim; ++k) wall.work[axis<Dim>(k)] = -force * u[k] / (speed * sum.water * wall.volume);
   }
 
@@ -181,7 +186,9 @@ template <int Dim, class Device>
 void add_wall_stress(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   Record* records = p.record.data();
   const WallNormal* turned = p.wall_normal.size() == 0 ? nullptr : p.wall_normal.data();
-  sweep(on, p, scene, p.walls_near_fluid(), WallElementSweep<Dim>{records, p.wall_element.data(), turned, scene});
+  WallShear* shear = scene.keeps_wall_shear ? p.wall_shear.data() : nullptr;
+  sweep(on, p, scene, p.walls_near_fluid(),
+        WallElementSweep<Dim>{records, p.wall_element.data(), turned, shear, scene});
   sweep(on, p, scene, p.near_walls(), WallDragSweep<Dim>{records, p.mass.data(), p.rates.data()});
   if (!scene.has_sediment) return;
   const Index first = p.fluid_count;

@@ -82,7 +82,7 @@ DeviceScene loaded() {
 DeviceScene pushed() {
   DeviceScene s = eroding();
   s.name = "moving walls";
-  plane(s).has_moving_walls = true;
+  plane(s).has_moving_walls = plane(s).walls_move = true;
   auto& motion = s.particles.scalars[motion_array];
   for (std::size_t i = 0; i < s.particles.size(); ++i) {
     const double x = s.particles.position[i].x();

@@ -23,7 +23,7 @@ struct MovingFloor {
         scene, [](const Vec3& x) { return x.z() < 0.05 ? ParticleType::moving_wall : ParticleType::water; });
     auto& number = particles.scalars[motion_array];
     for (const ParticleType type : particles.type) number.push_back(type == ParticleType::moving_wall ? 1 : 0);
-    scene.has_moving_walls = true;
+    scene.has_moving_walls = scene.walls_move = true;
   }
   template <class On>
   SimulationOn<2, On> simulation(const WallMotion& motion) const {
@@ -126,7 +126,7 @@ TYPED_TEST(MovingWalls, WakeTheSedimentInTheirReachAndNoOther) {
   LatticeSetup<2> setup;
   setup.gravity = {0, -9.81F};
   Scene<2> scene = test::make_scene_of(setup);
-  scene.has_sediment = scene.may_rest = scene.has_moving_walls = true;
+  scene.has_sediment = scene.may_rest = scene.has_moving_walls = scene.walls_move = true;
   scene.rest = {0.04F, 0.06F, 3e-3F, 0.01F};
   scene.sediment.yield_coefficient = 0.6F;
   ParticleSet set = test::fill_lattice(scene, [](const Vec3& x) {

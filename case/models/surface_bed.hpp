@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "case/models/rule.hpp"
+
+namespace thalweg {
+
+/// The words of surface_bed.feed.
+enum class BedFeed { none, equilibrium };
+
+inline constexpr std::array<Choice<BedFeed>, 2> choices(BedFeed) {
+  return {{{BedFeed::none, "none", "clear water: none comes in"},
+           {BedFeed::equilibrium, "equilibrium", "as much as the bed next to the inlet sends on"}}};
+}
+
+namespace models {
+
+/// A bed that is a surface under water: model.sediment = "surface".
+struct SurfaceBedOfCase {
+  static bool is_on(const Case& whole);
+  static std::vector<Rule> rules();
+};
+
+}  // namespace models
+
+}  // namespace thalweg

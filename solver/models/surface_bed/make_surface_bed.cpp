@@ -1,0 +1,359 @@
+#include "solver/models/surface_bed/make_surface_bed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "case/models/driven_flow.hpp"
+#include "case/models/surface_bed.hpp"
+#include "common/error.hpp"
+#include "physics/bed/advance_bed.hpp"
+#include "solver/models/surface_bed/make_bed_rows.hpp"
+
+namespace thalweg {
+namespace {
+
+Grains grains_of(const Case& of) {
+  const SedimentParameters& s = of.sediment();
+  Grains grains;
+  grains.density = s.grain_density;
+  grains.diameter = s.grain_diameter;
+  grains.porosity = s.porosity;
+  grains.tan_friction = std::tan(s.friction_angle);
+  grains.lift_ratio = s.lift_ratio;
+  grains.roughness = roughness_of_current(of);
+  grains.gravity = of.domain.gravity.norm();
+  grains.critical_shields = critical_shields_of(s, of.water.density, grains.gravity);
+  grains.water_density = of.water.density;
+  grains.water_viscosity = of.water.viscosity / of.water.density;
+  grains.bed_load = of.model.bed_load;
+  return grains;
+}
+
+/// Reads numbers one after the other.
+class NumberReader {
+ public:
+  explicit NumberReader(const std::vector<double>& from) : from_(from) {}
+  double next() { return at_ < from_.size() ? from_[at_++] : (failed_ = true, 0.0); }
+  template <class T>
+  void array(std::vector<T>& to, std::size_t size) {
+    to.resize(size);
+    for (T& value : to) value = static_cast<T>(next());
+  }
+  [[nodiscard]] bool failed() const { return failed_; }
+  [[nodiscard]] std::size_t left() const { return from_.size() - at_; }
+
+ private:
+  const std::vector<double>& from_;
+  std::size_t at_ = 0;
+  bool failed_ = false;
+};
+
+class ColumnBed final : public SurfaceBed {
+ public:
+  explicit ColumnBed(const Case& of)
+      : grains_(grains_of(of)), spacing_(of.numerics.spacing), settings_(of.surface_bed) {
+    const double speed = of.numerics.maximum_speed;
+    longest_half_ = settings_.window > 0 ? 0.5 * settings_.window : 25 * spacing_ / speed;
+    shortest_half_ = std::min(longest_half_, 2 * spacing_ / speed);
+    half_window_ = longest_half_;
+    lift_speed_ = 0.05 * speed;
+  }
+
+  void begin(LaidBed laid, double time) {
+    bed_ = std::move(laid.columns);
+    rows_ = std::move(laid.rows);
+    from_ = levels();
+    shear_.assign(from_.size(), 0);
+    gather_from(time);
+    last_step_ = std::max(time, settings_.spin_up);
+    show();
+  }
+
+  /// False where the numbers are not those of a bed.
+  [[nodiscard]] bool restore(const std::vector<double>& numbers) {
+    NumberReader in(numbers);
+    const double version = in.next();
+    bed_.grid.nx = static_cast<int>(in.next());
+    bed_.grid.ny = static_cast<int>(in.next());
+    if (version != version_of_numbers || bed_.grid.nx < 1 || bed_.grid.ny < 1) return false;
+    bed_.grid.dx = in.next(), bed_.grid.dy = in.next();
+    bed_.grid.periodic_x = in.next() != 0, bed_.grid.periodic_y = in.next() != 0;
+    bed_.packing = in.next();
+    bed_.fed = in.next(), bed_.left = in.next();
+    is_moving_ = in.next() != 0;
+    knows_half_ = in.next() != 0;
+    halves_ = static_cast<int>(in.next());
+    half_window_ = in.next(), due_ = in.next(), begin_ = in.next(), last_step_ = in.next();
+    bed_time_ = in.next(), factor_ = in.next();
+    steps_ = static_cast<std::int64_t>(in.next()), unsettled_ = static_cast<std::int64_t>(in.next());
+    const auto columns = static_cast<std::size_t>(bed_.grid.nx) * static_cast<std::size_t>(bed_.grid.ny);
+    if (in.left() != (arrays_of_numbers + 3) * columns + 1) return false;  // with the device's sums and a flag
+    in.array(bed_.area, columns);
+    in.array(bed_.floor, columns);
+    in.array(bed_.ceiling, columns);
+    in.array(bed_.grains, columns);
+    std::vector<int> ends;
+    in.array(ends, columns);
+    for (const int end : ends) bed_.end.push_back(static_cast<BedEnd>(end));
+    in.array(rows_, columns);
+    in.array(from_, columns);
+    in.array(shear_, columns);
+    half_.resize(columns);
+    for (ColumnShear& of : half_) of.x = in.next(), of.y = in.next(), of.time = in.next();
+    show();
+    return !in.failed();
+  }
+
+  [[nodiscard]] std::vector<double> numbers() const override {
+    std::vector<double> out = {version_of_numbers,
+                               double(bed_.grid.nx),
+                               double(bed_.grid.ny),
+                               bed_.grid.dx,
+                               bed_.grid.dy,
+                               double(bed_.grid.periodic_x),
+                               double(bed_.grid.periodic_y),
+                               bed_.packing,
+                               bed_.fed,
+                               bed_.left,
+                               double(is_moving_),
+                               double(knows_half_),
+                               double(halves_),
+                               half_window_,
+                               due_,
+                               begin_,
+                               last_step_,
+                               bed_time_,
+                               factor_,
+                               double(steps_),
+                               double(unsettled_)};
+    const auto add = [&](const auto& values) {
+      for (const auto value : values) out.push_back(static_cast<double>(value));
+    };
+    add(bed_.area), add(bed_.floor), add(bed_.ceiling), add(bed_.grains), add(bed_.end);
+    add(rows_), add(from_), add(shear_);
+    for (std::size_t c = 0; c < from_.size(); ++c) {
+      const ColumnShear of = c < half_.size() ? half_[c] : ColumnShear{};
+      out.insert(out.end(), {of.x, of.y, of.time});
+    }
+    return out;
+  }
+
+  [[nodiscard]] const std::vector<BedColumn>& columns() const override { return columns_; }
+  [[nodiscard]] bool is_moving() const override { return is_moving_; }
+  [[nodiscard]] double due() const override { return due_; }
+  [[nodiscard]] double bed_time() const override { return bed_time_; }
+
+  // From rest to rest, s = 3 x^2 - 2 x^3, so that the surface hits no water.
+  [[nodiscard]] double share_at(double time) const override {
+    const double x = is_moving_ ? std::clamp((time - begin_) / (due_ - begin_), 0.0, 1.0) : 1.0;
+    return x * x * (3 - 2 * x);
+  }
+  [[nodiscard]] double rate_at(double time) const override {
+    if (!is_moving_) return 0;
+    const double x = std::clamp((time - begin_) / (due_ - begin_), 0.0, 1.0);
+    return 6 * x * (1 - x) / (due_ - begin_);
+  }
+
+  void take(const std::vector<ColumnShear>& sums, double time) override {
+    if (time <= settings_.spin_up) {
+      knows_half_ = false;
+      gather_from(time);
+      return;
+    }
+    std::vector<ColumnShear> means = sums;
+    for (ColumnShear& of : means) {
+      if (of.time > 0) of.x /= of.time, of.y /= of.time;
+    }
+    ++halves_;
+    const double change = knows_half_ ? change_between(half_, means) : std::numeric_limits<double>::infinity();
+    const int most_halves = half_window_ < longest_half_ ? 2 : most_halves_of_window;
+    if (change > settled_change && halves_ < most_halves) {
+      half_ = std::move(means);
+      knows_half_ = true;
+      gather_on(time);
+      return;
+    }
+    if (change > settled_change && half_window_ == longest_half_) ++unsettled_;
+    move_under(means, time);
+  }
+
+  void arrive(double time) override {
+    is_moving_ = false;
+    from_ = levels();
+    gather_from(time);
+    show();
+  }
+
+  [[nodiscard]] BedReport report() const override {
+    BedReport found;
+    found.time = bed_time_;
+    found.factor = factor_;
+    found.grains = bed_.total();
+    found.fed = bed_.fed;
+    found.left = bed_.left;
+    found.lowest = std::numeric_limits<double>::infinity();
+    found.highest = -found.lowest;
+    for (std::size_t c = 0; c < from_.size(); ++c) {
+      if (!(bed_.area[c] > 0) || !(rows_[c] > spare_rows())) continue;
+      found.lowest = std::min(found.lowest, bed_.level(static_cast<int>(c)));
+      found.highest = std::max(found.highest, bed_.level(static_cast<int>(c)));
+    }
+    found.steps = steps_;
+    found.unsettled = unsettled_;
+    return found;
+  }
+
+ private:
+  static constexpr double version_of_numbers = 1;
+  static constexpr std::size_t arrays_of_numbers = 11;  // of one number a column
+  /// A window's stress has settled once its two halves differ by less, rms over the bed, of the rms stress [-].
+  static constexpr double settled_change = 0.1;
+  static constexpr int most_halves_of_window = 4;
+
+  /// Rows that every column has beside its sediment: the fewest of any.
+  [[nodiscard]] float spare_rows() const {
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+      if (bed_.area[c] > 0) least = std::min(least, rows_[c]);
+    }
+    return has_bare_columns() ? least : 0;
+  }
+  [[nodiscard]] bool has_bare_columns() const {
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+      if (bed_.area[c] > 0 && !(bed_.grains[c] > 0)) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::vector<double> levels() const {
+    std::vector<double> out;
+    for (int c = 0; c < bed_.grid.columns(); ++c) out.push_back(bed_.level(c));
+    return out;
+  }
+
+  void gather_from(double time) {
+    knows_half_ = false;
+    halves_ = 0;
+    gather_on(time);
+  }
+  void gather_on(double time) { due_ = time + half_window_; }
+
+  [[nodiscard]] static double change_between(const std::vector<ColumnShear>& before,
+                                             const std::vector<ColumnShear>& now) {
+    double change = 0;
+    double size = 0;
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      change += std::pow(now[c].x - before[c].x, 2) + std::pow(now[c].y - before[c].y, 2);
+      size += std::pow(now[c].x, 2) + std::pow(now[c].y, 2);
+    }
+    return size > 0 ? std::sqrt(change / size) : 0;
+  }
+
+  /// The bed step: grains move under the mean of the last two halves.
+  void move_under(const std::vector<ColumnShear>& means, double time) {
+    std::vector<BedStress> stress(means.size());
+    for (std::size_t c = 0; c < means.size(); ++c) {
+      const double x = knows_half_ ? 0.5 * (means[c].x + half_[c].x) : means[c].x;
+      const double y = knows_half_ ? 0.5 * (means[c].y + half_[c].y) : means[c].y;
+      const double size = std::hypot(x, y);
+      shear_[c] = static_cast<float>(size);
+      if (!(size > 0)) continue;
+      stress[c] = bed_stress_of(grains_, std::sqrt(size / grains_.water_density), x / size, y / size);
+    }
+    from_ = levels();
+    const double elapsed = time - last_step_;
+    const BedAdvance done = advance_bed(bed_, grains_, stress, settings_.factor * elapsed, settings_.step * spacing_);
+    bed_time_ += done.time;
+    factor_ = done.time / elapsed;
+    // A bed that changes faster than its window lasts is followed with shorter ones: there is no mean to wait for.
+    half_window_ = std::clamp(half_window_ * std::clamp(factor_, 0.5, 2.0), shortest_half_, longest_half_);
+    last_step_ = time;
+    ++steps_;
+    is_moving_ = done.largest_change > 1e-9 * spacing_;
+    if (is_moving_) {
+      begin_ = time;
+      due_ = time + 1.5 * done.largest_change / lift_speed_;  // its fastest is lift_speed_
+    } else {
+      from_ = levels();
+      gather_from(time);
+    }
+    show();
+  }
+
+  /// The columns as the device sees them.
+  void show() {
+    columns_.resize(from_.size());
+    for (int c = 0; c < bed_.grid.columns(); ++c) {
+      const auto n = static_cast<std::size_t>(c);
+      BedColumn& column = columns_[n];
+      column.from = static_cast<float>(from_[n]);
+      column.to = static_cast<float>(bed_.level(c));
+      column.floor = static_cast<float>(bed_.floor[n]);
+      column.slope[0] = static_cast<float>(slope_of_surface(c, 0));
+      column.slope[1] = static_cast<float>(slope_of_surface(c, 1));
+      column.shear = shear_[n];
+      column.rows = rows_[n];
+    }
+  }
+
+  /// Slope of the bed's surface, not up a step of the ground: a neighbour that stands higher or lower than grains can is
+  /// left out.
+  [[nodiscard]] double slope_of_surface(int c, int axis) const {
+    double rise = 0;
+    int steps = 0;
+    for (const bool forward : {false, true}) {
+      const int next = bed_.open_neighbour(c, axis, forward);
+      if (next < 0) continue;
+      const double slope = bed_.slope_between(c, axis, forward);
+      if (std::abs(slope) > 1.5 * grains_.tan_friction) continue;
+      rise += slope;
+      ++steps;
+    }
+    return steps > 0 ? rise / steps : 0;
+  }
+
+  Grains grains_;
+  double spacing_;
+  SurfaceBedSettings settings_;
+  double longest_half_ = 0;   // [s] of a window
+  double shortest_half_ = 0;  // [s]
+  double half_window_ = 0;    // [s] of the one under way
+  double lift_speed_ = 0;     // [m/s] with which the surface moves at most
+  GrainColumns bed_;
+  std::vector<float> rows_;
+  std::vector<double> from_;       // [m] levels before the motion
+  std::vector<float> shear_;       // [Pa]
+  std::vector<ColumnShear> half_;  // means of the window's last half; time: its length [s]
+  std::vector<BedColumn> columns_;
+  bool is_moving_ = false;
+  bool knows_half_ = false;
+  int halves_ = 0;        // of the window under way
+  double begin_ = 0;      // [s] of the motion
+  double due_ = 0;        // [s]
+  double last_step_ = 0;  // [s]
+  double bed_time_ = 0;   // [s]
+  double factor_ = 0;     // [-]
+  std::int64_t steps_ = 0;
+  std::int64_t unsettled_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<SurfaceBed> make_surface_bed(const Case& of, ParticleSet& particles) {
+  if (!models::SurfaceBedOfCase::is_on(of)) return nullptr;
+  auto bed = std::make_shared<ColumnBed>(of);
+  const auto known = particles.facts.find(surface_bed_fact);
+  if (known == particles.facts.end()) {
+    LaidBed laid = lay_bed(of, particles);
+    bed->begin(std::move(laid), particles.info.time);
+  } else if (!bed->restore(known->second)) {
+    throw InputError("the checkpoint's field data " + std::string(surface_bed_fact) +
+                     " is not that of a bed; start from a whole checkpoint of the same case");
+  }
+  return bed;
+}
+
+}  // namespace thalweg

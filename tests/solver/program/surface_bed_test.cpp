@@ -1,0 +1,146 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+
+#include "common/error.hpp"
+#include "physics/bed/grains.hpp"
+#include "physics/water/log_profile.hpp"
+#include "solver/models/surface_bed/arrays.hpp"
+#include "solver/models/surface_bed/make_bed_rows.hpp"
+#include "tests/solver/program/broken_run.hpp"
+
+// A bed that is a surface, in whole runs: at rest, at the law's rate, around a pier, across a restart.
+namespace thalweg {
+namespace {
+
+std::string scene(const std::string& name) {
+  return THALWEG_SOURCE_DIR "/tests/solver/program/surface_bed/" + name + ".toml";
+}
+
+double last(const test::CaseRun& run, const std::string& name, const std::string& unit) {
+  return CsvTable::read(run.folder().history()).numbers(name, unit).back();
+}
+
+/// Level of the bed's surface over each place of the ground [m].
+std::map<std::pair<long, long>, double> levels(const ParticleSet& particles) {
+  std::map<std::pair<long, long>, double> found;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.type[i] != ParticleType::sediment) continue;
+    const Vec3& x = particles.position[i];
+    const double dp = particles.info.spacing;
+    const std::pair place(std::lround(x.x() / dp - 0.5), std::lround(x.y() / dp - 0.5));
+    const auto known = found.find(place);
+    if (known == found.end() || known->second < x.z() + 0.5 * dp) found[place] = x.z() + 0.5 * dp;
+  }
+  return found;
+}
+
+TEST(SurfaceBedRun, NothingMovesBelowTheThreshold) {
+  test::CaseRun run("surface_rest");
+  // u* = 44 mm/s over grains of 4 mm: theta = 0.030, threshold 0.047.
+  run.fill_from(scene("channel"), {"materials.sand.grain_diameter=\"4 mm\"", "surface_bed.factor=1000"});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  EXPECT_EQ(last(run, "bed_lowest", "m"), 0);
+  EXPECT_EQ(last(run, "bed_highest", "m"), 0);
+  EXPECT_GT(last(run, "bed_time", "s"), 1000);
+  // The bed drags as a wall of its roughness: the mean velocity of the logarithmic law.
+  const double mean = log_profile(0.044, 0.1 * std::exp(-1.0), 1e-6, 0.001);
+  EXPECT_NEAR(last(run, "bulk_velocity", "m/s"), mean, 0.03 * mean);
+}
+
+TEST(SurfaceBedRun, MovesGrainsAtTheRateOfTheLaw) {
+  test::CaseRun run("surface_between");
+  run.fill_from(scene("between"), {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  // A discharge of 0.0655 m^2/s, 0.1 m deep, over ks = 1 mm.
+  const double friction = friction_velocity_of_current(0.655, 0.1, 1e-6, 0.001);
+  Grains sand;
+  sand.density = 2650, sand.diameter = 0.001, sand.porosity = 0.4, sand.tan_friction = std::tan(0.5585);
+  sand.critical_shields = 0.047, sand.water_density = 1000, sand.water_viscosity = 1e-6, sand.gravity = 9.81;
+  const BedStress stress = bed_stress_of(sand, friction, 1, 0);
+  const double law = bed_load_of(sand, stress, stress.flat_critical);
+  const double time = last(run, "bed_time", "s");
+  EXPECT_NEAR(last(run, "bed_fed", "m^3") / time, law, 0.1 * law);
+  EXPECT_NEAR(last(run, "bed_left", "m^3") / time, law, 0.5 * law);  // the water speeds up towards the tail
+  const double before = 0.6 * 0.04 * 1.0;
+  EXPECT_NEAR(last(run, "bed_grains", "m^3") + last(run, "bed_left", "m^3") - last(run, "bed_fed", "m^3"), before,
+              1e-9 * before);
+  EXPECT_NEAR(last(run, "bed_lowest", "m"), 0.04, 0.002);
+}
+
+TEST(SurfaceBedRun, ClearWaterFeedsNothing) {
+  test::CaseRun run("surface_clear");
+  run.fill_from(scene("between"), {"surface_bed.feed=\"none\"", "output.end=\"3 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  EXPECT_EQ(last(run, "bed_fed", "m^3"), 0);
+  const auto level = levels(run.snapshot_at(3));
+  EXPECT_LT(level.begin()->second, 0.0395);  // the bed's first column sinks, the middle stays
+  EXPECT_NEAR(level.at({50, level.begin()->first.second}), 0.04, 2e-4);
+}
+
+TEST(SurfaceBedRun, ContinuedIsTheSameBitForBit) {
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(
+      test::run_with_a_break(scene("hump"), {"output.end=\"1 s\"", "output.interval=\"0.25 s\""}, "0.5 s", ends));
+  EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
+  EXPECT_EQ(ends.straight.facts.at("SurfaceBed"), ends.joined.facts.at("SurfaceBed"));
+  EXPECT_GT(last(ends.straight_run, "bed_steps", "-"), 3);
+}
+
+TEST(SurfaceBedRun, APierIsScouredAtItsFlanksAndGrainsAreKept) {
+  test::CaseRun run("surface_pier");
+  run.fill_from(scene("pier"), {});
+  const double before = 0.6 * 0.06 * (0.5 * 0.2);
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  EXPECT_LT(last(run, "bed_grains", "m^3"), before);  // the pier stands in part of the bed
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto grains = history.numbers("bed_grains", "m^3");
+  EXPECT_NEAR(grains.back(), grains.front(), 1e-9 * grains.front());
+  const auto level = levels(run.snapshot_at(1));
+  double deepest = 0;
+  std::pair<long, long> at;
+  for (const auto& [place, z] : level) {
+    if (z < deepest) deepest = z, at = place;
+  }
+  EXPECT_LT(deepest, -0.002);
+  // Beside the pier, which stands at x = 0.2, y = 0.1 m with a radius of 0.03 m; not behind it.
+  EXPECT_NEAR(0.01 * (double(at.first) + 0.5), 0.19, 0.035);
+  EXPECT_GT(std::abs(0.01 * (double(at.second) + 0.5) - 0.1), 0.015);
+}
+
+TEST(SurfaceBedRows, APipeIsACeilingAndASolidWallNoColumn) {
+  test::CaseRun run("surface_rows");
+  run.fill_from(scene("hump"), {});
+  ParticleSet particles = run.start();
+  const std::size_t sediment =
+      static_cast<std::size_t>(std::count(particles.type.begin(), particles.type.end(), ParticleType::sediment));
+  const LaidBed laid = lay_bed(run.scene(), particles);
+  double thickness = 0;
+  int under_pipe = 0;
+  for (int c = 0; c < laid.columns.grid.columns(); ++c) {
+    if (laid.columns.ceiling[GrainColumns::at(c)] < 1) ++under_pipe;
+    thickness += laid.columns.level(c) - laid.columns.floor[GrainColumns::at(c)];
+  }
+  EXPECT_NEAR(thickness, 0.01 * static_cast<double>(sediment), 1e-9);
+  EXPECT_EQ(under_pipe, 4);  // a pipe of 40 mm
+  EXPECT_TRUE(laid.columns.grid.periodic_x);
+  ASSERT_TRUE(particles.doubles.contains(field::bed_place.name));
+  EXPECT_EQ(particles.doubles.at(field::bed_place.name).size(), 4 * particles.size());
+}
+
+TEST(SurfaceBedRows, HangingSedimentIsRefused) {
+  test::CaseRun run("surface_hanging");
+  run.fill_from(scene("hump"), {});
+  ParticleSet particles = run.start();
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.type[i] == ParticleType::water && particles.position[i].z() > 0.08) {
+      particles.type[i] = ParticleType::sediment;
+      break;
+    }
+  }
+  EXPECT_THROW(lay_bed(run.scene(), particles), InputError);
+}
+
+}  // namespace
+}  // namespace thalweg
