@@ -4,6 +4,7 @@
 #include <map>
 
 #include "solver/models/openings/make_openings.hpp"
+#include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "tests/solver/pvc_grains.hpp"
 
 namespace thalweg::test {
@@ -162,6 +163,48 @@ DeviceScene open_channel() {
   return s;
 }
 
+/// The case of a bed that is a surface, with windows so short that the bed moves and arrives.
+Case case_of_surface_bed() {
+  Case of;
+  of.info.dimension = 2;
+  of.domain.gravity = Vec3(0, 0, -9.81);
+  of.numerics.spacing = 0.01;
+  of.numerics.smoothing_ratio = 1.5;
+  of.numerics.maximum_speed = 2;
+  of.water.density = 1000;
+  of.water.viscosity = 1e-3;
+  of.model.sediment = SedimentModel::surface;
+  SedimentTable& sand = of.sediments["sand"];
+  sand.grain_density = 2650;
+  sand.grain_diameter = 1e-3;
+  sand.porosity = 0.4;
+  sand.friction_angle = 0.56;
+  of.surface_bed.window = 1e-3;
+  of.surface_bed.step = 0.01;
+  return of;
+}
+
+/// Water that runs over a bed that is a surface, with a hump.
+DeviceScene over_a_surface() {
+  DeviceScene s = tank<2>("bed as a surface");
+  Scene<2>& scene = plane(s);
+  scene.has_sediment = false;
+  feel_walls(scene);
+  scene.surface_bed = {true, 1e-3F, 1000, 4};
+  scene.walls_move = scene.keeps_wall_shear = true;
+  s.particles = fill_lattice(scene, [](const Vec3& x) {
+    if (x.z() < 0.03 || x.x() < 0.03 || x.x() > 0.17) return ParticleType::wall;
+    return x.z() < (x.x() < 0.1 ? 0.08 : 0.07) ? ParticleType::sediment : ParticleType::water;
+  });
+  for (std::size_t i = 0; i < s.particles.size(); ++i) {
+    if (s.particles.type[i] == ParticleType::water) s.particles.velocity[i].x() = 0.5F;
+  }
+  s.before_laying = s.particles;
+  make_surface_bed(case_of_surface_bed(), s.particles);
+  s.steps = 60;
+  return s;
+}
+
 /// A driven current with the eddies of a mixing length.
 void drive_a_current(Scene<2>& s) {
   feel_walls(s);
@@ -196,6 +239,7 @@ std::vector<DeviceScene> device_scenes() {
           with(slump, "acoustic damper", damp_sound),
           with(mixture(), "mixture with acoustic damper", damp_sound),
           open_channel(),
+          over_a_surface(),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
             s.pores.consolidation = 1e-3F;
@@ -230,6 +274,12 @@ std::shared_ptr<Openings> DeviceScene::openings() const {
   outlet.kind = OutletKind::level;
   outlet.level = 0.11;
   return make_openings(of);
+}
+
+std::shared_ptr<SurfaceBed> DeviceScene::surface_bed(const ParticleSet& from) const {
+  if (before_laying.size() == 0) return nullptr;
+  ParticleSet particles = from.facts.contains(surface_bed_fact) ? from : before_laying;
+  return make_surface_bed(case_of_surface_bed(), particles);
 }
 
 Difference difference(const ParticleSet& start, const ParticleSet& a, const ParticleSet& b) {

@@ -20,6 +20,9 @@ struct DeviceScene {
 
   /// Those of the scene, fresh for a simulation; null without any.
   [[nodiscard]] std::shared_ptr<Openings> openings() const;
+  ParticleSet before_laying = {};  // the particles before their sediment became a bed that is a surface
+  /// That bed, for a simulation that starts with `from`; null without one.
+  [[nodiscard]] std::shared_ptr<SurfaceBed> surface_bed(const ParticleSet& from) const;
 };
 
 /// Scenes that together go through every pass.

@@ -19,7 +19,7 @@ struct Maker {
   static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from, const DeviceScene& of,
                                           bool profile = false) {
     return std::make_unique<SimulationOn<Dim, Device>>(Device{}, "under test", scene, from, profile, of.motions,
-                                                       of.openings());
+                                                       of.openings(), of.surface_bed(from));
   }
 };
 
@@ -40,7 +40,8 @@ TYPED_TEST_P(StepsOnDevice, StepsAsTheOpenMpBackendDoes) {
   for (const DeviceScene& s : device_scenes()) {
     SCOPED_TRACE(s.name);
     const auto reference =
-        make_simulation({s.scene, &s.particles, 1, false, s.motions, false, s.openings()}, "openmp", "baseline");
+        make_simulation({s.scene, &s.particles, 1, false, s.motions, false, s.openings(), s.surface_bed(s.particles)},
+                        "openmp", "baseline");
     const auto tested = simulation_on<TypeParam>(s, s.particles);
     for (int n = 0; n < s.steps; ++n) {
       ASSERT_FALSE(reference->advance(1e-4).diverged);
