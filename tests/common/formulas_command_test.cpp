@@ -218,6 +218,23 @@ TEST_F(FormulasCommand, LetsAnOptionTakeThePlaceOfTheCase) {
               hec18_pier_scour({.width = 0.08, .length = 0.08, .depth = 0.2, .velocity = 0.6}), 1e-12);
 }
 
+// A velocity by option leaves no discharge and no slope of the case beside it; a jet by options has its own discharge.
+TEST_F(FormulasCommand, LetsNothingOfTheCaseContradictAnOption) {
+  const auto input = [&](const std::string& formula, const std::string& name) {
+    const nlohmann::json entry = row(formula);
+    for (const auto& in : entry.at("inputs"))
+      if (in.at("name") == name) return in.at("value").get<double>();
+    return -1.0;
+  };
+  EXPECT_EQ(formulas(scene("flume") + "--discharge '0.12 m^2/s' --json"), 0) << errors();
+  EXPECT_NEAR(input("HEC-18 (CSU)", "velocity"), 0.6, 1e-12);
+  EXPECT_NEAR(input("Laursen, clear water", "discharge"), 0.12, 1e-12);
+  EXPECT_EQ(formulas(scene("pipe") + "--velocity '0.87 m/s' --json"), 0) << errors();
+  EXPECT_GT(std::abs(input("Fredsoe et al., pipe", "friction-velocity") - std::sqrt(9.81 * 0.2 * 0.001)), 1e-4);
+  EXPECT_EQ(formulas(scene("wall_jet") + "--jet-velocity '2 m/s' --turbulence 0.3 --json"), 0) << errors();
+  EXPECT_NEAR(input("Breusers", "discharge"), 2 * 0.015, 1e-12);
+}
+
 TEST_F(FormulasCommand, TellsNoNoteThatAnOptionHasCured) {
   const std::string pier = "'" THALWEG_SOURCE_DIR "/cases/pier' --pier-width 6cm --velocity '0.4 m/s' ";
   EXPECT_EQ(formulas(pier), 0);

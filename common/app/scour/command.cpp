@@ -101,8 +101,21 @@ std::string nothing_seen(const FormulaOptions& options, const std::vector<std::s
       who);
 }
 
+/// Leaves out what an option contradicts: the case's flow where the flow is given, a jet's discharge where the jet is.
+void forget_contradicted(const Inputs& given, Inputs& of_case, std::vector<ScourSubject>& subjects) {
+  const auto given_any = [&](const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return given.has(name); });
+  };
+  const std::vector<std::string> flow{"velocity", "discharge", "slope"};
+  if (given_any(flow))
+    for (const std::string& name : flow) of_case.forget(name);
+  if (given_any({"jet-velocity", "jet-opening"}))
+    for (ScourSubject& subject : subjects) subject.inputs.forget("discharge");
+}
+
 std::vector<FormulaRow> rows_of(const FormulaOptions& options, const Inputs& given, SceneReading& reading) {
   add_given(given, reading.subjects);
+  forget_contradicted(given, reading.inputs, reading.subjects);
   std::vector<FormulaRow> rows;
   for (ScourSubject& subject : reading.subjects) {
     Inputs inputs = reading.inputs;

@@ -28,6 +28,9 @@ void derive_flow(Inputs& in) {
     in.set_if_unknown("friction-velocity", std::sqrt(in.value("gravity") * in.value("depth") * in.value("slope")),
                       "sqrt(g depth slope)");
   }
+  if (in.has("jet-velocity") && in.has("jet-opening")) {
+    in.set_if_unknown("discharge", in.value("jet-velocity") * in.value("jet-opening"), "jet-velocity jet-opening");
+  }
   if (in.has("discharge") && in.has("depth"))
     in.set_if_unknown("velocity", in.value("discharge") / in.value("depth"), "discharge/depth");
   if (in.has("slope") && in.has("depth") && in.has("grain")) {

@@ -39,6 +39,7 @@ class Inputs {
   void set(const std::string& name, double value, const std::string& origin);
   /// Does nothing if the quantity is known already.
   void set_if_unknown(const std::string& name, double value, const std::string& origin);
+  void forget(const std::string& name) { known_.erase(name); }
   /// Takes over all that the other one knows.
   void take_over(const Inputs& other);
   [[nodiscard]] bool has(const std::string& name) const { return known_.contains(name); }
