@@ -131,6 +131,16 @@ TEST(FormulasScene, SeesNoBoxesWithoutABed) {
   EXPECT_THAT(titles(read_scene(scene)), ElementsAre("pier, shape \"pile\""));
 }
 
+TEST(FormulasScene, SaysThatItReadsNoCone) {
+  Case scene = read_case(scenes / "flume.toml");
+  for (Shape& shape : scene.shapes)
+    if (shape.name == "pile") shape.kind = ShapeKind::cone;
+  const SceneReading reading = read_scene(scene);
+  ASSERT_EQ(reading.notes.size(), 1U);
+  EXPECT_EQ(reading.notes[0].text,
+            "shape \"pile\" is a cone, whose width is not read; give --pier-width if it is a pier");
+}
+
 // Across the flume, so that the flow has to be the one along y.
 TEST(FormulasScene, TakesWidthsAcrossTheFlow) {
   Case scene = read_case(scenes / "flume.toml");

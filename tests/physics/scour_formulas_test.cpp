@@ -28,8 +28,8 @@ std::string names_of(const std::vector<LimitLeft>& limits) {
 
 const Hec18Pier hec18_example{.width = 1.22, .length = 18, .depth = 3.12, .velocity = 3.36};
 
-// Worked example of HEC-18: it rounds Fr to 0.61 and y_s/y1 to 0.97, which makes 3.03 m. Unrounded:
-// 2 * 1.1 * 3.12 * (1.22/3.12)^0.65 * 0.60733^0.43 = 6.864 * 0.54318 * 0.80697 = 3.0087 m
+// Worked example of HEC-18, 4th edition 2001, in SI units: it rounds Fr to 0.61 and y_s/y1 to 0.97, which makes 3.03
+// m. Unrounded: 2 * 1.1 * 3.12 * (1.22/3.12)^0.65 * 0.60733^0.43 = 6.864 * 0.54318 * 0.80697 = 3.0087 m
 TEST(Hec18PierScour, GivesTheWorkedExample) {
   EXPECT_NEAR(hec18_pier_equation(hec18_example), 3.0087, 1e-4);
   EXPECT_NEAR(hec18_pier_equation(hec18_example), 3.03, 0.01 * 3.03);

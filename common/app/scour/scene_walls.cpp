@@ -62,6 +62,21 @@ bool stands_through(const Extent& body, const Level& bed) {
   return !bed.is_known() || (body.from.z() <= bed.height + rounding && body.to.z() > bed.height + rounding);
 }
 
+/// True for kinds that may be a pier, but whose width across the flow is not read; a survey is ground, not a pier.
+bool has_unread_width(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::cone:
+    case ShapeKind::prism:
+    case ShapeKind::mesh:
+    case ShapeKind::combine_union:
+    case ShapeKind::combine_difference:
+    case ShapeKind::combine_intersection:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool is_upright(const Shape& cylinder) {
   const Vec3 axis = cylinder.to - cylinder.from;
   return std::abs(axis.z()) > 0.99 * axis.norm();
@@ -211,10 +226,10 @@ void read_obstacles(const Case& scene, const Level& bed, SceneReading& reading) 
   for (const Shape& shape : scene.shapes) {
     if (!is_body(shape)) continue;
     if (shape.kind == ShapeKind::cylinder) read_cylinder(scene, shape, bed, reading);
-    if (shape.kind == ShapeKind::mesh) {
-      reading.notes.push_back(
-          {fmt::format("{} is a mesh, whose width is not read; give --pier-width if it is a pier", shape_name(shape)),
-           "pier-width"});
+    if (scene.dimension() == 3 && has_unread_width(shape.kind)) {
+      reading.notes.push_back({fmt::format("{} is a {}, whose width is not read; give --pier-width if it is a pier",
+                                           shape_name(shape), word_for(shape.kind)),
+                               "pier-width"});
     }
   }
   if (scene.dimension() == 3) read_plan(scene, bed, reading);
