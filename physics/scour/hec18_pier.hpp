@@ -48,10 +48,10 @@ inline double hec18_angle_factor(const Hec18Pier& pier) {
 
 /// Depth of the scour hole at a pier [m] below the bed around it, for clear water and live bed:
 ///   y_s/y1 = 2.0 K1 K2 K3 (a/y1)^0.65 Fr1^0.43,   Fr1 = V1/sqrt(g y1)
-/// K3: 1.1 clear water, plane bed, small dunes; 1.1 to 1.2 dunes of 3 to 9 m; 1.3 above. A design formula: an envelope of
-/// measurements, not their mean.
-/// Source: Colorado State University equation, Richardson & Davis; HEC-18, FHWA-HIF-12-003, 5th edition 2012, eq. 7.1.
-/// The 5th edition has no factor K4 for armouring any more, and neither has this.
+/// K3: 1.1 clear water, plane bed, small dunes; 1.1 to 1.2 dunes of 3 to 9 m; 1.3 above. A design formula: an
+/// envelope of measurements, not their mean.
+/// Source: Colorado State University equation, Richardson & Davis; HEC-18, FHWA-HIF-12-003, 5th edition 2012, eq.
+/// 7.1. The 5th edition has no factor K4 for armouring any more, and neither has this.
 /// a = 1.22 m, y1 = 3.12 m, V1 = 3.36 m/s, round nose: 3.01 m.
 inline double hec18_pier_equation(const Hec18Pier& pier) {
   const double froude = pier.velocity / std::sqrt(pier.gravity * pier.depth);
@@ -59,8 +59,8 @@ inline double hec18_pier_equation(const Hec18Pier& pier) {
   return 2 * factors * pier.depth * std::pow(pier.width / pier.depth, 0.65) * std::pow(froude, 0.43);
 }
 
-/// The same, at most 2.4 a for Fr1 <= 0.8 and 3.0 a above at round noses in line with the flow: HEC-18's rule of thumb, as
-/// HEC-RAS applies it. The example above: 2.93 m.
+/// The same, at most 2.4 a for Fr1 <= 0.8 and 3.0 a above at round noses in line with the flow: HEC-18's rule of
+/// thumb, as HEC-RAS applies it. The example above: 2.93 m.
 inline double hec18_pier_scour(const Hec18Pier& pier) {
   const bool round = pier.nose == PierNose::circular || (pier.nose == PierNose::round && pier.angle == 0);
   if (!round) return hec18_pier_equation(pier);

@@ -36,9 +36,9 @@ inline double effective_pier_width(PierNose nose, double width, double length, d
 ///   y_s/a* = 2.2 f1                                                                V1 > V_lp
 ///   f1 = tanh[(y1/a*)^0.4],  f2 = 1 - 1.2 ln^2(V1/V_c),  f3 = r/(0.4 r^1.2 + 10.6 r^-0.13),  r = a*/D50
 ///   V_lp = max(5 V_c, 0.6 sqrt(g y1))      velocity of the live-bed peak
-/// Below 0.4 V_c there is no scour: 0. The first two meet at V_c, the last two at V_lp.
-/// Source: Sheppard, Melville & Demir 2014, J. Hydraul. Eng. 140(1), 14-23; HEC-18, 5th edition 2012, section 7.3.
-/// a* = 1 m, y1 = 2 m, D50 = 0.5 mm, V1 = V_c: 1.1832 m.
+/// Below 0.4 V_c there is no scour: 0. f2 is 0 at 0.401 V_c and is not let below. The first two meet at V_c, the
+/// last two at V_lp. Source: Sheppard, Melville & Demir 2014, J. Hydraul. Eng. 140(1), 14-23; HEC-18, 5th edition
+/// 2012, section 7.3. a* = 1 m, y1 = 2 m, D50 = 0.5 mm, V1 = V_c: 1.1832 m.
 inline double sheppard_melville_pier_scour(const SheppardMelvillePier& pier) {
   const double a = pier.effective_width;
   const double V = pier.velocity;
@@ -49,7 +49,8 @@ inline double sheppard_melville_pier_scour(const SheppardMelvillePier& pier) {
   const double f3 = r / (0.4 * std::pow(r, 1.2) + 10.6 * std::pow(r, -0.13));
   if (V <= V_c) {
     const double logarithm = std::log(V / V_c);
-    return 2.5 * a * f1 * (1 - 1.2 * logarithm * logarithm) * f3;
+    const double f2 = std::max(0.0, 1 - 1.2 * logarithm * logarithm);
+    return 2.5 * a * f1 * f2 * f3;
   }
   const double V_lp = std::max(5 * V_c, 0.6 * std::sqrt(pier.gravity * pier.depth));
   if (V > V_lp) return 2.2 * a * f1;

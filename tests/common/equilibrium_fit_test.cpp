@@ -64,16 +64,16 @@ TEST(EquilibriumFit, IsTheSameInOtherUnits) {
 // A band of two standard errors holds the truth in 95 % of the series, by Gauss; of 400 series 380 +- 13 (three
 // standard deviations).
 TEST(EquilibriumFit, ItsBandHoldsTheTruthUnderNoise) {
-  int held_S = 0;
-  int held_T = 0;
+  int held_depths = 0;
+  int held_times = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
     const EquilibriumFit fit = fit_of(readings(60, 120, 0.004, 0, seed));
-    held_S += std::abs(fit.equilibrium - 0.12) <= fit.equilibrium_error ? 1 : 0;
-    held_T += std::abs(fit.time_scale - 30) <= fit.time_scale_error ? 1 : 0;
+    held_depths += std::abs(fit.equilibrium - 0.12) <= fit.equilibrium_error ? 1 : 0;
+    held_times += std::abs(fit.time_scale - 30) <= fit.time_scale_error ? 1 : 0;
   }
-  EXPECT_GE(held_S, 367);
-  EXPECT_GE(held_T, 367);
-  EXPECT_LE(held_S, 398);  // a band that is never left would say nothing
+  EXPECT_GE(held_depths, 367);
+  EXPECT_GE(held_times, 367);
+  EXPECT_LE(held_depths, 398);  // a band that is never left would say nothing
 }
 
 // Noise with a memory: without the factor (1 + r)/(1 - r) the band would hold the truth in 60 % of the series or so.

@@ -107,6 +107,8 @@ TEST(SheppardMelvillePierScour, FadesInClearWater) {
   SheppardMelvillePier pier = at_threshold;
   pier.velocity = 0.25;
   EXPECT_NEAR(sheppard_melville_pier_scour(pier) / sheppard_melville_pier_scour(at_threshold), 0.42346, 1e-5);
+  pier.velocity = 0.2001;  // f2 = -0.0059
+  EXPECT_EQ(sheppard_melville_pier_scour(pier), 0);
   pier.velocity = 0.19;
   EXPECT_EQ(sheppard_melville_pier_scour(pier), 0);
   EXPECT_EQ(names_of(limits_left(pier)), "V/Vc< ");
