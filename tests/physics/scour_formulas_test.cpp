@@ -107,7 +107,7 @@ TEST(SheppardMelvillePierScour, FadesInClearWater) {
   SheppardMelvillePier pier = at_threshold;
   pier.velocity = 0.25;
   EXPECT_NEAR(sheppard_melville_pier_scour(pier) / sheppard_melville_pier_scour(at_threshold), 0.42346, 1e-5);
-  pier.velocity = 0.2001;  // f2 = -0.0059
+  pier.velocity = 0.2001;  // f2 would be -0.0064
   EXPECT_EQ(sheppard_melville_pier_scour(pier), 0);
   pier.velocity = 0.19;
   EXPECT_EQ(sheppard_melville_pier_scour(pier), 0);
