@@ -36,7 +36,7 @@ fs::path stage_program(const std::string& stage) {
   if (std::find(stages.begin(), stages.end(), stage) != stages.end()) {
     return own_folder() / fmt::format("{}{}", prefix, stage);
   }
-  std::vector<std::string> commands{"run", "explain", "info"};
+  std::vector<std::string> commands{"run", "explain", "info", "formulas"};
   commands.insert(commands.end(), stages.begin(), stages.end());
   const auto near = nearest(stage, commands);
   throw InputError(fmt::format(

@@ -7,6 +7,7 @@
 #include "common/app/info.hpp"
 #include "common/app/pipeline.hpp"
 #include "common/app/programs.hpp"
+#include "common/app/scour/command.hpp"
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/process.hpp"
@@ -71,7 +72,8 @@ void print_usage(std::ostream& to) {
   to << "usage: thalweg COMMAND [arguments]\n\n"
         "  run CASE        the whole pipeline, from geometry to report\n"
         "  explain [KEY]   unit, default, range and meaning of the keys of a case file\n"
-        "  info PATH       what is in a particle file or a run's folder\n";
+        "  info PATH       what is in a particle file or a run's folder\n"
+        "  formulas CASE   empirical scour formulas for the scene of a case, or for options\n";
   for (const std::string& stage : installed_stages()) to << "  " << stage << " ...\n";
   to << "\n`thalweg COMMAND --help` says more. Version " THALWEG_VERSION ".\n";
 }
@@ -81,6 +83,7 @@ int thalweg_program(int argc, char** argv) {
   if (command == "run") return run(argc - 1, argv + 1);
   if (command == "explain") return explain_keys(argc - 1, argv + 1);
   if (command == "info") return info(argc - 1, argv + 1);
+  if (command == "formulas") return formulas_command(argc - 1, argv + 1);
   if (command == "--version") {
     std::cout << "thalweg " THALWEG_VERSION "\n";
     return static_cast<int>(Exit::done);
