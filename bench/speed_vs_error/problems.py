@@ -6,13 +6,13 @@ from which distances count, None where the problem has none or the run is this o
 
 import math
 
-import norms
 import water
 import water_norms
 from cavity import Cavity
-from results import Gauges, quantity, resolved, snapshots
+from study import norms
 from study.origin import ROOT
 from study.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
+from study.results import Gauges, quantity, resolved, snapshots
 from study.tables import read_table
 
 GRAVITY = 9.81  # [m/s^2] of every case but the slot
