@@ -1,0 +1,34 @@
+"""Lines of tables and keys in a TOML file, which tomllib does not keep: for messages."""
+
+import re
+
+HEADER = re.compile(r"^\s*(\[\[?)\s*(?:\"([^\"]*)\"|'([^']*)'|([^\]\s]+))\s*\]\]?")
+KEY = re.compile(r"^\s*(?:\"([^\"]*)\"|'([^']*)'|([\w-]+))\s*=")
+MULTILINE = ('"""', "'''")
+
+
+class Lines:
+    """`table(name, index)` and `key(name, key, index)` give the number of a line; index counts the tables of one name."""
+
+    def __init__(self, text):
+        self._tables, self._keys = {}, {}
+        here, counts, inside = ("", 0), {}, None
+        for number, line in enumerate(text.splitlines(), 1):
+            if inside:
+                inside = None if inside in line else inside
+                continue
+            if match := HEADER.match(line):
+                name = next(group for group in match.groups()[1:] if group is not None)
+                here = (name, counts.get(name, 0))
+                counts[name] = here[1] + 1
+                self._tables[here] = number
+            elif match := KEY.match(line):
+                key = next(group for group in match.groups() if group is not None)
+                self._keys.setdefault((*here, key), number)
+                inside = next((mark for mark in MULTILINE if line.count(mark) % 2), None)
+
+    def table(self, name, index=0):
+        return self._tables.get((name, index), 1)
+
+    def key(self, name, key, index=0):
+        return self._keys.get((name, index, key), self.table(name, index))
