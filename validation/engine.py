@@ -89,7 +89,7 @@ class PipelineRun(Run):
             self.failure = failed.error_line()
             return
         begun.rename(self.folder / "made_by.json")
-        print(f"{self.folder.parent.name}: {self.name}: {used.cpu:.1f} s of processor time", flush=True)
+        print(f"{self.case.name}: {self.name}: {used.cpu:.1f} s of processor time", flush=True)
 
     def facts(self):
         """summary.csv: quantity → text."""

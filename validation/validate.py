@@ -1,7 +1,6 @@
 """`thalweg validate`: runs cases, measures them against nature, and writes one page with numbers and verdicts."""
 
 import pathlib
-import shutil
 import sys
 import tomllib
 
@@ -12,6 +11,7 @@ from validation import engine, outcome, pages
 from validation.expected import NAME, read_expected
 from validation.faults import Arguments, InputError, run_program
 from validation.measure_reference import reference_page
+from validation.runs_folder import prepare
 
 CASES = pathlib.Path("cases")
 
@@ -47,20 +47,6 @@ def chosen(given):
     if twice is not None:
         raise InputError(f"{twice}: two cases have this name, and their runs would share a folder; give one of them")
     return found
-
-
-def prepare(out, resume, force):
-    """The folder of the runs; one that holds runs is neither replaced nor gone on with unasked."""
-    runs = out / "runs"
-    if out.exists() and not out.is_dir():
-        raise InputError(f"{out}: is no folder; give another --out")
-    if runs.exists() and any(runs.iterdir()):
-        if force:
-            shutil.rmtree(runs)
-        elif not resume:
-            raise InputError(f"{out}: holds runs; go on with them with --resume, replace them with --force, or give another --out")
-    runs.mkdir(parents=True, exist_ok=True)
-    return runs
 
 
 def plan_runs(thalweg, expected, folder, full, repeated):
@@ -103,10 +89,11 @@ def validate():
     cases = chosen(given.cases)
     thalweg = engine.program()
     out = given.out.resolve()
-    runs = prepare(out, given.resume, given.force)
+    runs = out / "runs"
     planned = [(expected, plan_runs(thalweg, expected, runs, given.full, not given.no_repeats)) for expected in cases]
     for expected, found in planned:
         check_all(expected, found)
+    prepare(out, given.out, given.resume, given.force)
     rows = []
     for expected, found in planned:
         compute_all([member for _, run, repeats in found for member in (run, *repeats)], given.jobs, lambda run: run.compute())
