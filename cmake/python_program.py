@@ -13,6 +13,7 @@ def main(program, start, packages):
         for package in map(pathlib.Path, packages):
             shutil.copytree(package, pathlib.Path(folder, package.name), ignore=lambda _, names: [n for n in names if not n.endswith(".py")])
         zipapp.create_archive(folder, program, "/usr/bin/env python3", start, compressed=True)
+    pathlib.Path(program).chmod(0o755)
 
 
 if __name__ == "__main__":

@@ -6,10 +6,13 @@ import pathlib
 import re
 import shutil
 import sys
+import tempfile
 
 from study.costs import overrides
 from study.programs import Failed, call
+from study.results import resolved
 from study.runs import Run
+from study.starts import start
 from study.tables import text_rows
 from validation.faults import InputError
 
@@ -61,15 +64,24 @@ class PipelineRun(Run):
     def complete(self):
         return self.mark("made_by.json") == self.identity and (self.folder / "summary.csv").is_file()
 
-    def check(self):
-        """The reason why gencase refuses the case with these settings, in a line; empty if it does not."""
-        try:
-            call(self.thalweg, "gencase", self.case, "--check", "--out", self.folder, *overrides(self.settings))
-        except Failed as failed:
-            return failed.error_line()
-        return ""
+    def equal(self, runs, name, number):
+        """A run that is equal but for its rounding (study/starts.py)."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.gencase("--out", folder)
+            return PipelineRun(self.thalweg, runs, self.case, name, [*self.settings, start(resolved(pathlib.Path(folder)), number)],
+                               {key: value for key, value in self.identity.items() if key != "settings"})
 
-    def compute(self, start=None, postproc=True):
+    def check(self):
+        """Throws InputError if gencase refuses the case with these settings."""
+        self.gencase("--check")
+
+    def gencase(self, *options):
+        try:
+            call(self.thalweg, "gencase", self.case, *options, *overrides(self.settings))
+        except Failed as failed:
+            raise InputError(failed.error_line()) from failed
+
+    def compute(self):
         """Makes the run, or goes on with it if the folder holds a part of the same one. A run of another case, other settings or another
         build is made again."""
         if self.complete():

@@ -1,18 +1,16 @@
 """Reads a case's expected.toml: which runs are made, what is measured of them, and what must hold (docs/expected.md)."""
 
-import tomllib
 from dataclasses import dataclass, field
 
 import validation.column_measures  # noqa: F401  each fills the library
 import validation.law_measures  # noqa: F401
 import validation.particle_measures  # noqa: F401
 import validation.profile_measures  # noqa: F401
-from study.starts import WATER
 from validation.faults import InputError, nearest
 from validation.keys import Key, check
 from validation.library import MEASURES
 from validation.references import Reference
-from validation.toml_lines import Lines
+from validation.toml_files import Lines, read_toml
 
 NAME = "expected.toml"
 
@@ -21,8 +19,7 @@ RUN_KEYS = (
     Key("set", "texts", "keys of the case that it changes, as with --set"),
     Key("variant", "text", "runs of one variant differ in the spacing alone: over them the order of convergence is taken"),
     Key("full", "flag", "true: only with --full"),
-    Key("repeats", "count", "further runs from starts that differ by a ten-thousandth in a density, for the scatter"),
-    Key("start_keys", "texts", "the densities by which these differ; default: materials.water.density"),
+    Key("repeats", "count", "further runs, whose Courant numbers differ by some ten-thousandths, for the scatter"),
 )
 
 ENTRY_KEYS = (
@@ -49,7 +46,6 @@ class RunPlan:
     variant: str = ""
     full: bool = False
     repeats: int = 0
-    start_keys: list = field(default_factory=lambda: [WATER])
     line: int = 1
 
 
@@ -85,20 +81,6 @@ class Expected:
     entries: list
 
 
-def read_toml(file, shown):
-    try:
-        text = file.read_text(encoding="utf-8")
-        return tomllib.loads(text), text
-    except OSError as error:
-        raise InputError(f"{shown}: cannot be read ({error.strerror}); give a case with an {NAME}") from error
-    except UnicodeDecodeError as error:
-        raise InputError(f"{shown}: is not UTF-8; save it as UTF-8") from error
-    except tomllib.TOMLDecodeError as error:
-        words = str(error).removesuffix(")").rsplit(" (at line ", 1)
-        line = words[1].split(",")[0] if len(words) == 2 else str(text.count("\n") + 1)
-        raise InputError(f"{shown}:{line}: {words[0].rstrip('.').lower()}; correct the TOML there") from error
-
-
 def read_runs(table, lines, shown):
     given = table.get("run", [])
     if not isinstance(given, list) or not all(isinstance(entry, dict) for entry in given):
@@ -125,7 +107,7 @@ def read_entry(name, given, folder, lines, shown, runs):
     word = given.get("measure")
     if word is None:
         raise InputError(f"{entry.at()}: measure is missing; give it: the word of a measure (docs/expected.md)")
-    if word not in MEASURES:
+    if not isinstance(word, str) or word not in MEASURES:
         raise InputError(f"{entry.at('measure')}: there is no measure {word!r}; {nearest(str(word), list(MEASURES))}")
     entry.measure = MEASURES[word]
     check(given, ENTRY_KEYS + entry.measure.keys, entry.at)

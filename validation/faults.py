@@ -44,6 +44,9 @@ def run_program(program):
     except OSError as error:
         print(f"error: {error.filename or 'a file'}: {error.strerror}; make room or access for it, and go on with --resume", file=sys.stderr)
         return 1
+    except RuntimeError as error:
+        print(f"error: {str(error).splitlines()[-1]}; look at that program's own message, and go on with --resume", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print("stopped; the same command with --resume goes on from here", file=sys.stderr)
         return 128 + signal.SIGINT

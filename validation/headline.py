@@ -71,6 +71,6 @@ def measure(run, text, found):
         return found[text]
     name, column, statistic = wanted
     finished = Finished(run)
-    finished.where = f"--measure {text}"
+    finished.where = lambda key: f"--measure {text}"
     series = finished.column(name, column)
     return (STATISTICS[statistic](series) if series else None), units(run.folder, name).get(column, "-")

@@ -61,5 +61,4 @@ def check(table, keys, where):
 
 def documented(keys):
     """The rows of a table of documentation."""
-    return [[f"`{key.name}`" + ("" if key.required else " (optional)"), KINDS[key.kind][1].replace("|", "\\|"), key.meaning]
-            for key in keys]
+    return [[f"`{key.name}`" + ("" if key.required else " (optional)"), ", ".join(key.words) or KINDS[key.kind][1], key.meaning] for key in keys]

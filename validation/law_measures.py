@@ -20,6 +20,8 @@ class Current:
 
     def __init__(self, finished, entry):
         case, self.depth = finished.case, entry.given["depth"]
+        if "slope" not in case.get("flow", {}):
+            finished.fail(f"run {finished.run.name} has no current that a slope drives; take the entry out, or set flow.drive = slope", "measure")
         water = case["materials"]["water"]
         viscosity = quantity(water["viscosity"]) / quantity(water["density"])
         roughness = max(quantity(shape.get("roughness", 0)) for shape in case["shape"] if shape["role"] == "wall")
@@ -100,6 +102,8 @@ class Kynch:
         given = entry.given
         self.time, self.depth, self.start = given["at"], given["depth"], given["concentration"]
         self.packing, self.finished = given["packing"], finished
+        if not self.start < min(self.packing, 1.0):
+            finished.fail("the suspension is as dense as the bed; give a concentration below packing", "concentration")
         self.fall = given["settling_velocity"] * (1 - self.start) ** given["exponent"]
         self.rise = self.fall * self.start / (self.packing - self.start)
 

@@ -19,7 +19,7 @@ class Row:
     found: Errors = field(default_factory=lambda: Errors(0))
     error: float | None = None
     scatter: float | None = None
-    starts: int = 1              # runs of which the scatter is the extent
+    equal_runs: int = 1          # runs of which the scatter is the extent
     order: float | None = None
     order_note: str = ""
     verdict: str = NO_VERDICT
@@ -36,7 +36,7 @@ class Row:
 
 def measured(finished, entry, finest):
     """Points and errors of an entry in a run, and the error that is held against the limit; None if it is not measured of this run."""
-    finished.where = entry.at()
+    finished.where = entry.at
     result = entry.measure.function(finished, entry, finest)
     given = entry.given
     which, scale = given.get("error", "largest"), given.get("relative_to")
@@ -44,7 +44,7 @@ def measured(finished, entry, finest):
         size = {"range": lambda: result.rmse / result.normalised_rmse if result.normalised_rmse else None,
                 "spacing": lambda: finished.spacing}.get(scale, lambda: scale or 1)()
         if not isinstance(size, (int, float)):
-            finished.fail(f"relative_to is {scale}, which a measure of whole profiles does not know; give a number, range or spacing")
+            finished.fail(f"relative_to is {scale}, which a measure of whole profiles does not know; give a number, range or spacing", "relative_to")
         value = judged(result, which)
         return [], result, None if value is None else value / size
     if not result:
@@ -52,7 +52,7 @@ def measured(finished, entry, finest):
     try:
         value = judged(errors(scaled(result, scale, finished.spacing)), which)
     except ZeroDivisionError as error:
-        finished.fail(f"{error}; give relative_to another scale")
+        finished.fail(f"{error}; give relative_to another scale", "relative_to")
     return result, errors(result), value
 
 
@@ -108,7 +108,7 @@ def rows_of(expected, runs):
                 if found is None:
                     continue
                 row.points, row.found, row.error = found
-                row.scatter, row.starts = spread(row, finished, repeats, finest[plan.variant])
+                row.scatter, row.equal_runs = spread(row, finished, repeats, finest[plan.variant])
             row.verdict, row.note = verdict(row)
             rows.append(row)
         add_order(rows, entry, done)

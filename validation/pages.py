@@ -11,6 +11,7 @@ from dataclasses import asdict
 from study.tables import markdown, write_table
 from validation import outcome
 
+MOST_LISTED = 6  # points
 MARKS = {outcome.PASS: "pass", outcome.MISFIT: "**known misfit**", outcome.FAIL: "**FAIL**", outcome.NO_VERDICT: "–"}
 
 
@@ -35,10 +36,10 @@ def command_line(ignored=("--resume", "--force")):
         if skipped or word in ignored:
             skipped = False
             continue
-        if word in ("--out", "-o", "--page"):
+        if word in ("--out", "-o", "--page", "--jobs"):
             skipped = True
             continue
-        if word.startswith(("--out=", "--page=")):
+        if word.startswith(("--out=", "--page=", "--jobs=")):
             continue
         words.append(pathlib.Path(word).name if word.startswith("/") else f"'{word}'" if re.search(r"[^\w./=:,-]", word) else word)
     return " ".join(["thalweg", pathlib.Path(sys.argv[0]).name.removeprefix("thalweg-"), *words])
@@ -75,7 +76,7 @@ def record(row):
         "brier_skill [-]": shown(found.brier_skill, 6),
         "judged_by": given.get("error", "largest"), "relative_to": shown(given.get("relative_to", "")), "judged_error": shown(row.error, 6),
         "limit": shown(given.get("limit"), 6), "uncertainty": shown(given.get("uncertainty"), 6), "scatter": shown(row.scatter, 6),
-        "scatter_runs [-]": row.starts, "order [-]": shown(row.order), "order_note": row.order_note,
+        "scatter_runs [-]": row.equal_runs, "order [-]": shown(row.order), "order_note": row.order_note,
         "verdict": row.verdict, "note": row.note, "reason": given["reason"]}
 
 
@@ -104,18 +105,33 @@ def judged_words(row):
     return f"{given.get('error', 'largest')}, {size}"
 
 
+def listed(points, text):
+    """The values of a few points in a cell; of many none, which are in validation.json."""
+    return " ".join(map(text, points)) if len(points) <= MOST_LISTED else ""
+
+
+def known(point):
+    """What is known at a point: a number, or a range."""
+    if point.low is None:
+        return ""
+    return shown(point.low, 4) if point.low == point.high else f"{shown(point.low, 4)}–{shown(point.high, 4)}"
+
+
 def figures_table(rows):
+    """The table of a case; a column that is empty in all rows is left out."""
+    columns = ["quantity", "run", "unit", "computed", "known", "points", "RMSE", "RMSE / range", "bias", "largest error", "at", "Brier skill",
+               "judged error", "judged by", "limit", "data uncertainty", "scatter (runs)", "order", "verdict"]
     table = []
     for row in rows:
         found, given = row.found, row.entry.given
         order = "" if row.order is None else f"{row.order:.1f}" + (f" ({row.order_note})" if row.order_note else "")
-        scatter = "" if row.scatter is None else f"{shown(row.scatter, 2)} ({row.starts})"
-        table.append([cell(row.entry.title), row.plan.name, given["unit"], shown(row.computed, 4), shown(row.reference, 4), found.points,
-                      shown(found.rmse), shown(found.normalised_rmse), shown(found.bias), shown(found.largest),
-                      shown(found.largest_at), shown(found.brier_skill), shown(row.error), judged_words(row), shown(given.get("limit")),
-                      shown(given.get("uncertainty")), scatter, order, MARKS[row.verdict]])
-    return markdown(["quantity", "run", "unit", "computed", "known", "points", "RMSE", "RMSE / range", "bias", "largest error", "at", "Brier skill",
-                     "judged error", "judged by", "limit", "data uncertainty", "scatter (runs)", "order", "verdict"], table)
+        scatter = "" if row.scatter is None else f"{shown(row.scatter, 2)} ({row.equal_runs})"
+        table.append([cell(row.entry.title), row.plan.name, given["unit"], listed(row.points, lambda point: shown(point.computed, 4)),
+                      listed(row.points, known), found.points or "", *map(shown, (found.rmse, found.normalised_rmse, found.bias, found.largest,
+                      found.largest_at, found.brier_skill, row.error)), judged_words(row) if row.error is not None else "",
+                      shown(given.get("limit")), shown(given.get("uncertainty")), scatter, order, MARKS[row.verdict]])
+    kept = [n for n in range(len(columns)) if any(entries[n] != "" for entries in table)]
+    return markdown([columns[n] for n in kept], [[entries[n] for n in kept] for entries in table])
 
 
 def notes(rows):
@@ -146,8 +162,8 @@ def page(planned, rows, made, base):
              f"**{len(rows)} figures: {count[outcome.PASS]} pass, {count[outcome.MISFIT]} known misfits, {count[outcome.FAIL]} fail, "
              f"{count[outcome.NO_VERDICT]} without a verdict** because nothing is known to hold them against.", "",
              "Errors are computed less known, 0 inside a known range. RMSE, bias and largest error have the quantity's unit; the judged error, "
-             "limit, data uncertainty and scatter have the unit in \"judged by\". Scatter: extent of the judged error over runs whose starts "
-             "differ by some ten-thousandths of the water's density; without a known value, extent of the computed value. Order: slope of "
+             "limit, data uncertainty and scatter have the unit in \"judged by\". Scatter: extent of the judged error over runs whose Courant numbers "
+             "differ by some ten-thousandths; without a known value, extent of the computed value. Order: slope of "
              "log error over log spacing within a variant. `expected.toml` of each case holds limits and reasons (docs/expected.md)."]
     for expected, found in planned:
         mine = [row for row in rows if row.case == expected.name]

@@ -3,6 +3,7 @@
 import math
 
 from study.norms import layered_pressure, rms
+from study.of_particles import front_of_water
 from study.particle_file import SEDIMENT, WATER, of_fluid
 from validation.keys import Key
 from validation.library import measure
@@ -11,17 +12,11 @@ from validation.points import Point
 PHASES = {"water": WATER, "sediment": SEDIMENT}
 
 
-def front_of_water(points, kinds, spacing):
-    """Half a spacing beyond the third foremost particle of water [m], so that two drops thrown ahead do not count."""
-    xs = sorted(points[3 * i] for i, kind in enumerate(kinds) if kind == WATER)
-    return xs[-3] + spacing / 2
-
-
 @measure("water front", "Foremost edge of the water along x [m]: half a spacing beyond the third foremost particle.")
 def water_front(finished, entry, _):
     def sample(time):
         found = finished.particles(finished.snapshot(time), ("Points", "Type"))
-        return front_of_water(found["Points"], found["Type"], finished.spacing)
+        return front_of_water(found, finished.spacing)
     return entry.reference.points(sample)
 
 

@@ -2,11 +2,8 @@
 
 import pathlib
 import sys
-import tomllib
 from dataclasses import dataclass, field
 
-from study import starts
-from study.programs import Failed
 from study.runs import compute_all
 from validation import engine, headline, sweep_page
 from validation.faults import Arguments, InputError, run_program
@@ -19,9 +16,9 @@ DEFAULT_MEASURES = ("scour", "front")  # those of them that the runs have; else 
 
 @dataclass
 class Member:
-    """One run of the sweep: its values, the number of its start (0: as the case has it), and what was measured."""
+    """One run of the sweep: its values, its number among equal runs (0: as the case has it), and what was measured."""
     values: tuple
-    start: int
+    equal: int
     run: object
     found: dict = field(default_factory=dict)   # headline quantities
     measured: dict = field(default_factory=dict)  # --measure → (value, unit)
@@ -35,8 +32,7 @@ def arguments():
                         help="a key and its values, numerics.spacing=20,10,5mm; may be repeated")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="changes a key for all runs; may be repeated")
     parser.add_argument("--repeats", type=int, default=1, metavar="N",
-                        help="runs of each combination; their starts differ by some ten-thousandths of a density (default: 1)")
-    parser.add_argument("--start-key", action="append", metavar="KEY", help=f"a density by which starts differ (default: {starts.WATER})")
+                        help="runs of each combination, whose Courant numbers differ by some ten-thousandths (default: 1)")
     parser.add_argument("--measure", action="append", default=[], metavar="QUANTITY",
                         help="quantity of the pictures and the convergence: a column of sweep.csv, or FILE.csv:COLUMN:STATISTIC, as "
                              "history.csv:kinetic_energy:largest; may be repeated (default: scour and front)")
@@ -49,23 +45,19 @@ def arguments():
 
 
 def members(thalweg, given, case, variations, runs):
-    """All runs of the sweep, in order."""
-    table = tomllib.loads((case / "case.toml").read_text(encoding="utf-8"))
+    """All runs of the sweep, in order, each checked by gencase."""
     made_by = {"build": engine.build(thalweg), "case": engine.case_content(case)}
     found = []
     for values in combinations(variations, given.repeats):
         settings = [*given.set, *(each.setting(variation.key) for variation, each in zip(variations, values))]
         name = ", ".join(f"{variation.key.split('.')[-1]} {each.text}" for variation, each in zip(variations, values))
-        for number in range(given.repeats):
-            more = []
-            if number > 0:
-                try:
-                    more = starts.start(thalweg, table, settings, number, given.start_key or (starts.WATER,))
-                except (ValueError, Failed) as error:
-                    text = error.error_line() if isinstance(error, Failed) else str(error)
-                    raise InputError(f"--start-key: {text}; name a density of the case") from error
-            label = f"{name}, start {number}" if number else name
-            found.append(Member(values, number, engine.PipelineRun(thalweg, runs, case, label, [*settings, *more], made_by)))
+        run = engine.PipelineRun(thalweg, runs, case, name, settings, made_by)
+        try:
+            run.check()
+            equal = [run.equal(runs, f"{name}, equal {number}", number) for number in range(1, given.repeats)]
+        except InputError as error:
+            raise InputError(f"{name}: {error}") from error
+        found += [Member(values, number, each) for number, each in enumerate([run, *equal])]
     folders = [member.run.folder for member in found]
     if len(set(folders)) < len(folders):
         raise InputError("thalweg sweep: two combinations have names that would share a folder; write their values with other words")
@@ -84,7 +76,20 @@ def checked(given):
     for text in given.set:
         if "=" not in text:
             raise InputError(f"--set {text}: sets nothing; write KEY=VALUE")
-    return case.resolve(), [variation(text) for text in given.vary]
+    variations = [variation(text) for text in given.vary]
+    both = {text.split("=")[0].strip() for text in given.set} & {each.key for each in variations}
+    if both:
+        raise InputError(f"--set {both.pop()}: the key is varied, too; leave one of the two out")
+    return case.resolve(), variations
+
+
+def compute(run, names):
+    """Makes a run. A measure that it does not have is told after the first run, and not after the last."""
+    run.compute()
+    if not run.failure:
+        found = headline.quantities(run)
+        for name in names:
+            headline.measure(run, name, found)
 
 
 def measure_all(found, given):
@@ -108,12 +113,9 @@ def sweep():
     out = shown.resolve()
     runs = out / "runs"
     found = members(thalweg, given, case, variations, runs)
-    for member in found:
-        if not member.run.complete() and (refused := member.run.check()):
-            raise InputError(f"{member.run.name}: {refused}")
     prepare(out, shown, given.resume, given.force)
     print(f"{len(found)} runs, {sum(member.run.complete() for member in found)} of them finished", flush=True)
-    compute_all([member.run for member in found], given.jobs, lambda run: run.compute())
+    compute_all([member.run for member in found], given.jobs, lambda run: compute(run, given.measure))
     names = measure_all(found, given)
     sweep_page.write(out, case.name, variations, found, names, given.repeats, origin(thalweg, case))
     failed = [member.run for member in found if member.run.failure]

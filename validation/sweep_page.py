@@ -2,6 +2,7 @@
 
 import os
 import re
+import sys
 
 from study.pictures import draw
 from study.tables import markdown, write_table
@@ -13,7 +14,7 @@ COLOURS = ("#2b6cb0", "#8c6239", "#2f855a", "#b83280", "#c05621", "#4a5568")
 
 
 def rows(variations, found):
-    """A row for each run: values, start, state, every quantity that any run has."""
+    """A row for each run: values, its number among equal runs, state, every quantity that any run has."""
     headings = {}
     for member in found:
         headings |= {name: unit for name, (_, unit) in {**member.found, **member.measured}.items()}
@@ -22,7 +23,7 @@ def rows(variations, found):
         have = {**member.found, **member.measured}
         table.append({variation.heading: f"{value.number:g}" if variation.numeric else value.text
                       for variation, value in zip(variations, member.values)} |
-                     {"start": member.start, "state": "failed" if member.run.failure else "finished"} |
+                     {"equal run": member.equal, "state": "failed" if member.run.failure else "finished"} |
                      {f"{name} [{unit}]": shown(have.get(name, (None, ""))[0], 8) for name, unit in headings.items()} |
                      {"note": member.run.failure})
     return table
@@ -96,7 +97,7 @@ def convergence_lines(variations, found, names):
 
 
 def escaped(text):
-    return text.replace("\\", "\\\\").replace('"', "'").replace("_", "\\_").replace("@", "\\@").replace("{", "\\{").replace("}", "\\}")
+    return text.replace("\\", "\\\\").replace('"', "'")
 
 
 def picture(out, variations, found, name):
@@ -117,15 +118,19 @@ def picture(out, variations, found, name):
         curves.append(f'$curve{number} using 1:2:3:4 with yerrorlines lw 1.5 pt 7 ps 0.7 lc rgb "{colour}" title "{escaped(label)}"')
     if not curves:
         return None
-    bands = [f'{result.extrapolated - result.band:.9g} with lines dt 3 lc rgb "{COLOURS[n % len(COLOURS)]}" title "band of the extrapolated value", '
+    bands = [f'{result.extrapolated - result.band:.9g} with lines dt 3 lc rgb "{COLOURS[n % len(COLOURS)]}" title "band of its extrapolated value", '
              f'{result.extrapolated + result.band:.9g} with lines dt 3 lc rgb "{COLOURS[n % len(COLOURS)]}" notitle'
              for n, (_, result, _) in enumerate(convergences(variations, found, name)) if result.band is not None and first.key == SPACING]
     tics = "" if first.numeric else "set xtics (" + ", ".join(f'"{escaped(text)}" {place}' for text, place in places.items()) + ")\n"
-    edge = "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.08\nset key outside bottom\n"
-    script = "\n".join(blocks) + f'\nset xlabel "{escaped(first.heading)}"\nset ylabel "{escaped(name)} [{unit_of(found, name)}]"\n' + tics + edge
+    edge = "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.08\nset key outside bottom center horizontal\n"
+    script = "\n".join(blocks) + f'\nset termoption noenhanced\nset xlabel "{escaped(first.heading)}"\nset ylabel "{escaped(name)} [{unit_of(found, name)}]"\n' + tics + edge
     script += "plot " + ", \\\n     ".join(curves + bands) + "\n"
     file = out / (re.sub(r"[^\w.]+", "_", name) + ".svg")
-    draw(script, file, 800, 500)
+    try:
+        draw(script, file, 800, 500)
+    except (RuntimeError, OSError) as error:
+        print(f"warning: no picture of {name}: {str(error).splitlines()[0]}; gnuplot has to be installed", file=sys.stderr)
+        return None
     return file
 
 
@@ -138,7 +143,7 @@ def write(out, case, variations, found, names, repeats, made):
              f"Made by `{made['command']}`, program {made['program']}, commit {made['commit']}; {cpu:.0f} s of processor time in the solver, one thread a "
              "run.", f"{sum(not member.run.failure for member in found)} of {len(found)} runs finished. All quantities of each run: sweep.csv.", ""]
     if repeats > 1:
-        lines += ["In parentheses: least and most of equal runs, whose starts differ by some ten-thousandths of a density. Smaller differences mean "
+        lines += ["In parentheses: least and most of equal runs, whose Courant numbers differ by some ten-thousandths. Smaller differences mean "
                   "nothing.", ""]
     lines += ["## Combinations", "", *combinations_table(variations, found, names), *convergence_lines(variations, found, names)]
     for name in names:

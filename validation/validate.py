@@ -2,14 +2,12 @@
 
 import pathlib
 import sys
-import tomllib
 
-from study import starts
-from study.programs import Failed
 from study.runs import compute_all
 from validation import engine, outcome, pages
 from validation.expected import NAME, read_expected
 from validation.faults import Arguments, InputError, run_program
+from validation.finished import Finished
 from validation.measure_reference import reference_page
 from validation.runs_folder import prepare
 
@@ -50,33 +48,31 @@ def chosen(given):
 
 
 def plan_runs(thalweg, expected, folder, full, repeated):
-    """(RunPlan, run, its repeats) of a case."""
+    """(RunPlan, run, its repeats) of a case; every run is checked by gencase."""
     made_by = {"build": engine.build(thalweg), "case": engine.case_content(expected.case)}
-    table = tomllib.loads((expected.case / "case.toml").read_text(encoding="utf-8"))
-
-    def run(name, settings):
-        return engine.PipelineRun(thalweg, folder / expected.name, expected.case, name, settings, made_by)
-
     planned = []
     for plan in expected.runs:
         if plan.full and not full:
             continue
+        run = engine.PipelineRun(thalweg, folder / expected.name, expected.case, plan.name, plan.set, made_by)
         try:
-            repeats = [run(f"{plan.name}, start {number}", [*plan.set, *starts.start(thalweg, table, plan.set, number, plan.start_keys)])
+            run.check()
+            repeats = [run.equal(folder / expected.name, f"{plan.name}, equal {number}", number)
                        for number in range(1, 1 + plan.repeats if repeated else 1)]
-        except (ValueError, Failed) as error:
-            text = error.error_line() if isinstance(error, Failed) else str(error)
-            raise InputError(f"{expected.file}:{plan.line}: run {plan.name}: {text}; name densities of the case in start_keys") from error
-        planned.append((plan, run(plan.name, plan.set), repeats))
+        except InputError as error:
+            raise InputError(f"{expected.file}:{plan.line}: run {plan.name}: {error}") from error
+        planned.append((plan, run, repeats))
     return planned
 
 
-def check_all(expected, planned):
-    """Every run is checked by gencase before the first one starts."""
-    for plan, run, repeats in planned:
-        for member in (run, *repeats):
-            if not member.complete() and (refused := member.check()):
-                raise InputError(f"{expected.file}:{plan.line}: run {member.name}: {refused}")
+def compute(run, plan, expected):
+    """Makes a run. A column that it does not have is told after the first run, and not after the last."""
+    run.compute()
+    if not run.failure:
+        finished = Finished(run)
+        for entry in expected.entries:
+            if entry.concerns(plan):
+                outcome.measured(finished, entry, None)
 
 
 def validate():
@@ -91,12 +87,11 @@ def validate():
     out = given.out.resolve()
     runs = out / "runs"
     planned = [(expected, plan_runs(thalweg, expected, runs, given.full, not given.no_repeats)) for expected in cases]
-    for expected, found in planned:
-        check_all(expected, found)
     prepare(out, given.out, given.resume, given.force)
     rows = []
     for expected, found in planned:
-        compute_all([member for _, run, repeats in found for member in (run, *repeats)], given.jobs, lambda run: run.compute())
+        plans = {member: plan for plan, run, repeats in found for member in (run, *repeats)}
+        compute_all(list(plans), given.jobs, lambda run, plans=plans, expected=expected: compute(run, plans[run], expected))
         for row in outcome.rows_of(expected, found):
             rows.append(row)
             print(pages.line(row), flush=True)

@@ -1,6 +1,9 @@
-"""Lines of tables and keys in a TOML file, which tomllib does not keep: for messages."""
+"""TOML files, with the lines of tables and keys, which tomllib does not keep: for messages."""
 
 import re
+import tomllib
+
+from validation.faults import InputError
 
 HEADER = re.compile(r"^\s*(\[\[?)\s*(?:\"([^\"]*)\"|'([^']*)'|([^\]\s]+))\s*\]\]?")
 KEY = re.compile(r"^\s*(?:\"([^\"]*)\"|'([^']*)'|([\w-]+))\s*=")
@@ -32,3 +35,17 @@ class Lines:
 
     def key(self, name, key, index=0):
         return self._keys.get((name, index, key), self.table(name, index))
+
+
+def read_toml(file, shown):
+    try:
+        text = file.read_text(encoding="utf-8")
+        return tomllib.loads(text), text
+    except OSError as error:
+        raise InputError(f"{shown}: cannot be read ({error.strerror}); give a file that is there") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{shown}: is not UTF-8; save it as UTF-8") from error
+    except tomllib.TOMLDecodeError as error:
+        words = str(error).removesuffix(")").rsplit(" (at line ", 1)
+        line = words[1].split(",")[0] if len(words) == 2 else str(text.count("\n") + 1)
+        raise InputError(f"{shown}:{line}: {words[0].rstrip('.').lower()}; correct the TOML there") from error
