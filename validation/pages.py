@@ -162,9 +162,9 @@ def page(planned, rows, made, base):
              f"**{len(rows)} figures: {count[outcome.PASS]} pass, {count[outcome.MISFIT]} known misfits, {count[outcome.FAIL]} fail, "
              f"{count[outcome.NO_VERDICT]} without a verdict** because nothing is known to hold them against.", "",
              "Errors are computed less known, 0 inside a known range. RMSE, bias and largest error have the quantity's unit; the judged error, "
-             "limit, data uncertainty and scatter have the unit in \"judged by\". Scatter: extent of the judged error over runs whose Courant numbers "
-             "differ by some ten-thousandths; without a known value, extent of the computed value. Order: slope of "
-             "log error over log spacing within a variant. `expected.toml` of each case holds limits and reasons (docs/expected.md)."]
+             "limit, data uncertainty and scatter have the unit in \"judged by\". Scatter: extent of the judged error over runs whose Courant "
+             "numbers differ by some ten-thousandths; without a known value, extent of the computed value. Order: slope of log error over log "
+             "spacing within a variant. `expected.toml` of each case holds limits and reasons (docs/expected.md)."]
     for expected, found in planned:
         mine = [row for row in rows if row.case == expected.name]
         lines += ["", f"## {expected.name}", "", *runs_table(found, base), "", *figures_table(mine), "", *notes(mine)]

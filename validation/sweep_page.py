@@ -123,8 +123,8 @@ def picture(out, variations, found, name):
              for n, (_, result, _) in enumerate(convergences(variations, found, name)) if result.band is not None and first.key == SPACING]
     tics = "" if first.numeric else "set xtics (" + ", ".join(f'"{escaped(text)}" {place}' for text, place in places.items()) + ")\n"
     edge = "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.08\nset key outside bottom center horizontal\n"
-    script = "\n".join(blocks) + f'\nset termoption noenhanced\nset xlabel "{escaped(first.heading)}"\nset ylabel "{escaped(name)} [{unit_of(found, name)}]"\n' + tics + edge
-    script += "plot " + ", \\\n     ".join(curves + bands) + "\n"
+    axes = f'\nset termoption noenhanced\nset xlabel "{escaped(first.heading)}"\nset ylabel "{escaped(name)} [{unit_of(found, name)}]"\n'
+    script = "\n".join(blocks) + axes + tics + edge + "plot " + ", \\\n     ".join(curves + bands) + "\n"
     file = out / (re.sub(r"[^\w.]+", "_", name) + ".svg")
     try:
         draw(script, file, 800, 500)
@@ -140,8 +140,8 @@ def write(out, case, variations, found, names, repeats, made):
     write_table(out / "sweep.csv", rows(variations, found), comment)
     cpu = sum(member.found["cpu_seconds"][0] for member in found if member.found)
     lines = [f"# Sweep of {case}", "",
-             f"Made by `{made['command']}`, program {made['program']}, commit {made['commit']}; {cpu:.0f} s of processor time in the solver, one thread a "
-             "run.", f"{sum(not member.run.failure for member in found)} of {len(found)} runs finished. All quantities of each run: sweep.csv.", ""]
+             f"Made by `{made['command']}`, program {made['program']}, commit {made['commit']}; {cpu:.0f} s of processor time in the solver, "
+             "one thread a run.", f"{sum(not member.run.failure for member in found)} of {len(found)} runs finished. All quantities of each run: sweep.csv.", ""]
     if repeats > 1:
         lines += ["In parentheses: least and most of equal runs, whose Courant numbers differ by some ten-thousandths. Smaller differences mean "
                   "nothing.", ""]

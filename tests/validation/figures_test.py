@@ -130,7 +130,8 @@ class Measures(unittest.TestCase):
     def test_kynch_at_the_start_is_the_whole_column(self):
         case = {"domain": {"from": ["0 m"], "to": ["0.1 m"]}}
         count = 200  # particles of 1 cm^2 in 0.1 m x 0.2 m
-        particles = {"Points": [x for n in range(count) for x in (0, 0, (n // 10 + 0.5) * 0.01)], "Type": (2,) * count, "Concentration": (0.1,) * count}
+        particles = {"Points": [x for n in range(count) for x in (0, 0, (n // 10 + 0.5) * 0.01)], "Type": (2,) * count,
+                     "Concentration": (0.1,) * count}
         given = {"at": 0.0, "depth": 0.2, "concentration": 0.1, "packing": 0.6, "settling_velocity": 0.026, "exponent": 4.65, "below": 0.03}
         for name, expected in (("kynch edge", 0.2), ("kynch bed", 0.03)):
             point, = self.measured(name, given, case=case, snapshot=lambda _: "", particles=lambda *_: particles)
