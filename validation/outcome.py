@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from validation.finished import Finished
 from validation.points import Errors, errors, judged, order_of, scaled
 
+NEGLIGIBLE = 0.01  # share of the limit
 PASS, MISFIT, FAIL, NO_VERDICT = "pass", "known misfit", "fail", "no verdict"
 
 
@@ -116,14 +117,18 @@ def rows_of(expected, runs):
 
 
 def add_order(rows, entry, done):
-    """Order of convergence of the error, where runs of a variant have several spacings; within the scatter there is none to see."""
+    """Order of convergence of the error, in the quantity's own unit, where runs of a variant have several spacings. Within the scatter there
+    is none to see, nor where all errors are a hundredth of the limit: those are of rounding."""
+    which = entry.given.get("error", "largest")
     variants = {}
     for row in rows:
         if row.entry is entry and row.error is not None and row.plan.name in done:
             variants.setdefault(row.plan.variant, {})[done[row.plan.name][0].spacing] = row
     for found in variants.values():
-        order, note = order_of(list(found), [row.error for row in found.values()])
         sizes = [abs(row.error) for row in found.values()]
+        if max(sizes) <= NEGLIGIBLE * entry.given.get("limit", 0.0):
+            continue
+        order, note = order_of(list(found), [judged(row.found, which) for row in found.values()])
         scatter = max((row.scatter or 0.0 for row in found.values()), default=0.0)
         if order is not None and max(sizes) - min(sizes) <= scatter:
             note = "within the scatter"

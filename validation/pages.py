@@ -92,7 +92,7 @@ def runs_table(planned, base):
         cost = sum(float(member.facts()["cpu_seconds"]) for member in (run, *repeats) if not member.failure)
         link = [f"[report]({os.path.relpath(run.folder / 'report/index.html', base)})" if not run.failure else ""] if base else []
         rows.append([plan.name, cell(f"`{settings}`" if plan.set else settings), shown(1e3 * float(facts["spacing"])) if facts else "",
-                     facts.get("particles", ""), f"{cost:.0f}" if facts else "failed", 1 + len(repeats), *link])
+                     facts.get("particles", ""), f"{cost:.1f}" if facts else "failed", 1 + len(repeats), *link])
     return markdown(["run", "keys changed", "spacing [mm]", "particles", "CPU s, with repeats", "runs", *(["report"] if base else [])], rows)
 
 
@@ -107,7 +107,7 @@ def judged_words(row):
 
 def listed(points, text):
     """The values of a few points in a cell; of many none, which are in validation.json."""
-    return " ".join(map(text, points)) if len(points) <= MOST_LISTED else ""
+    return ", ".join(map(text, points)) if len(points) <= MOST_LISTED else ""
 
 
 def known(point):
