@@ -62,6 +62,10 @@ def plan_runs(thalweg, expected, folder, full, repeated):
         except InputError as error:
             raise InputError(f"{expected.file}:{plan.line}: run {plan.name}: {error}") from error
         planned.append((plan, run, repeats))
+    folders = [member.folder for _, run, repeats in planned for member in (run, *repeats)]
+    twice = next((each for each in folders if folders.count(each) > 1), None)
+    if twice is not None:
+        raise InputError(f"{expected.file}: the names of two runs give the same folder {twice.name}; write one of them with other letters")
     return planned
 
 

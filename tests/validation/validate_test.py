@@ -168,6 +168,9 @@ class WrongInput(unittest.TestCase):
     def test_setting_that_gencase_refuses(self):
         self.refused_before_any_run('\n[[run]]\nname = "a"\nset = ["numerics.spacng=1"]\n' + level(), "expected.toml:2:", "spacng")
 
+    def test_runs_that_would_share_a_folder(self):
+        self.refused_before_any_run('[[run]]\nname = "a b"\n[[run]]\nname = "a_b"\n' + level(), "a_b", "expected.toml")
+
     def test_broken_toml(self):
         self.refused_before_any_run("[level]\nvalue = = 1\n", "expected.toml:2:")
 
