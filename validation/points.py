@@ -78,5 +78,7 @@ def order_of(spacings, values):
     if len(pairs) < 2 or any(value == 0 for _, value in pairs):
         return None, ""
     slope = order([spacing for spacing, _ in pairs], [value for _, value in pairs])
-    falling = all(after < before for (_, before), (_, after) in zip(pairs, pairs[1:]))
-    return slope, "" if falling else "not monotonic"
+    changes = [after - before for (_, before), (_, after) in zip(pairs, pairs[1:])]
+    if max(changes) < 0:
+        return slope, ""
+    return slope, "grows" if min(changes) > 0 else "not monotonic"

@@ -46,7 +46,8 @@ class Errors(unittest.TestCase):
         order, note = order_of([0.04, 0.01, 0.02], [-16e-4, 1e-4, 4e-4])
         self.assertAlmostEqual(order, 2)
         self.assertEqual(note, "")
-        self.assertEqual(order_of([2, 1], [1, 3])[1], "not monotonic")
+        self.assertEqual(order_of([2, 1], [1, 3])[1], "grows")
+        self.assertEqual(order_of([4, 2, 1], [2, 3, 1])[1], "not monotonic")
         self.assertIsNone(order_of([2, 1], [1, 0])[0])
 
 
