@@ -2,10 +2,10 @@
 
 import math
 
-import norms
-from results import quantity, resolved, snapshots
+from study import norms
 from study.origin import ROOT
 from study.particle_file import arrays, of_fluid, replace_arrays
+from study.results import quantity, resolved, snapshots
 from study.tables import read_table
 
 TABLE = ROOT / "bench/speed_vs_error/reference/cavity.csv"

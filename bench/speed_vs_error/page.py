@@ -3,8 +3,7 @@
 import math
 import pathlib
 
-import norms
-from study import pictures
+from study import norms, pictures
 from study.tables import markdown
 
 DISCUSSION = pathlib.Path(__file__).with_name("discussion.md")

@@ -6,13 +6,14 @@ from which distances count, None where the problem has none or the run is this o
 
 import math
 
-import norms
 import water
 import water_norms
 from cavity import Cavity
-from results import Gauges, quantity, resolved, snapshots
+from study import norms
+from study.of_particles import front_of_water
 from study.origin import ROOT
 from study.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
+from study.results import Gauges, quantity, resolved, snapshots
 from study.tables import read_table
 
 GRAVITY = 9.81  # [m/s^2] of every case but the slot
@@ -137,7 +138,7 @@ class DamBreak:
     width = 0.1  # [m]
 
     def fronts(self, run):
-        """Over the column's width: half a spacing beyond the third foremost particle, as tests/solver/program/dam_break_test.cpp."""
+        """Over the column's width."""
         spacing = quantity(resolved(run.folder)["numerics"]["spacing"])
         times = [row["t_star"] for row in read_table(ROOT / "cases/dam_break/reference/front.csv")]
         by_time = {}
@@ -147,8 +148,7 @@ class DamBreak:
         fronts = []
         for t_star in times:
             particles = arrays(by_time[min(by_time, key=lambda t: abs(t - t_star))], {"Type", "Points"})
-            x = sorted(particles["Points"][3 * i] for i in of_fluid(particles))
-            fronts.append((x[-3] + spacing / 2) / self.width)
+            fronts.append(front_of_water(particles, spacing) / self.width)
         return fronts
 
     def errors(self, run, finest=None):

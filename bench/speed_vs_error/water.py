@@ -3,9 +3,9 @@
 import math
 
 import water_norms
-from norms import rms
-from results import Gauges, quantity, resolved, snapshots
+from study.norms import rms
 from study.particle_file import SEDIMENT, WALL, WATER, arrays, of_fluid, replace_arrays
+from study.results import Gauges, quantity, resolved, snapshots
 from study.tables import read_table
 from water_norms import GRAVITY
 

@@ -3,7 +3,7 @@
 import bisect
 import math
 
-from norms import slope
+from study.norms import slope
 
 GRAVITY = 9.81  # [m/s^2]
 

@@ -7,7 +7,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from study.costs import overrides
-from study.programs import call
+from study.programs import call, stop_all
 from study.tables import read_table
 
 
@@ -73,5 +73,9 @@ def compute_all(runs, jobs, compute):
             print(f"FAILED: {run.name}\n{error}", file=sys.stderr, flush=True)
 
     with ThreadPoolExecutor(jobs) as pool:
-        list(pool.map(one, runs))
+        try:
+            list(pool.map(one, runs))
+        except BaseException:  # a signal too: nothing is started any more, and the pool waits for what runs
+            stop_all()
+            raise
     return failed

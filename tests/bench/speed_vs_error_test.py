@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "bench/speed_vs_error/speed_vs_error.py"
 sys.path[:0] = [str(ROOT / "bench"), str(SCRIPT.parent)]
 
-import norms
+from study import norms
 from problems import PROBLEMS
 from study.particle_file import arrays, replace_arrays
 from study.runs import Run

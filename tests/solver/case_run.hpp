@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <toml++/toml.h>
 #include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,14 +18,6 @@
 
 // Runs one of the project's own cases in a folder of the test's own, as the programs would.
 namespace thalweg::test {
-
-/// A figure of cases/<case>/expected.toml, where its reason stands beside it.
-inline double limit_of(const std::string& case_name, const std::string& what) {
-  const auto file = std::filesystem::path(THALWEG_SOURCE_DIR) / "cases" / case_name / "expected.toml";
-  const auto limit = toml::parse_file(file.string())[what]["limit"].value<double>();
-  if (!limit) throw std::runtime_error(file.string() + ": has no [" + what + "] limit");
-  return *limit;
-}
 
 /// Folder of one of the project's cases, or of a bundle's (tools/bundle).
 inline std::filesystem::path case_folder(const std::string& case_name) {

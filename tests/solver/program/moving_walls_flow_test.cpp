@@ -94,7 +94,7 @@ TEST(AcceleratedTank, SwingsAboutTheSurfaceSquareToGravityLessAcceleration) {
   EXPECT_LT(least * 12 * depth / (length * length), -1.5 * a / gravity) << "and does swing";
 }
 
-/// Edge of the water's tongue, as in dam_break_test.cpp.
+/// Edge of the water's tongue, as the measure "water front" of `thalweg validate`.
 double front(const ParticleSet& p) {
   std::vector<double> x;
   for (std::size_t i = 0; i < p.size(); ++i) {

@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "common/error.hpp"
+#include "physics/water/log_profile.hpp"
+#include "tests/solver/case_run.hpp"
 #include "tests/solver/program/broken_run.hpp"
-#include "tests/solver/program/channel_run.hpp"
+#include "tests/solver/program/trend.hpp"
 
 // Water that enters and leaves, in whole runs: a uniform current, a free fall, jets, a pump, and runs that must stop.
 namespace thalweg {

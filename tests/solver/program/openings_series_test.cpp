@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "tests/solver/program/channel_run.hpp"
+#include "tests/solver/case_run.hpp"
+#include "tests/solver/program/trend.hpp"
 
 // A minute of uniform flow between an inlet and a tail water: level, discharge, mass and pressure stay as they are.
 namespace thalweg {

@@ -1,0 +1,86 @@
+"""Measures of the particles in the snapshots of a run, and of the profiles that postproc makes of them."""
+
+import math
+
+from study.norms import layered_pressure, rms
+from study.of_particles import front_of_water
+from study.particle_file import SEDIMENT, WATER, of_fluid
+from validation.keys import Key
+from validation.library import measure
+from validation.points import Point
+
+PHASES = {"water": WATER, "sediment": SEDIMENT}
+
+
+@measure("water front", "Foremost edge of the water along x [m]: half a spacing beyond the third foremost particle.")
+def water_front(finished, entry, _):
+    def sample(time):
+        found = finished.particles(finished.snapshot(time), ("Points", "Type"))
+        return front_of_water(found, finished.spacing)
+    return entry.reference.points(sample)
+
+
+@measure("creep", "Largest way of a particle of sediment from the first to the last snapshot [m]. In nature it rests: 0 is known.",
+         reference=False)
+def creep(finished, entry, _):
+    first, last = (finished.particles(file, ("Points", "Type", "Id")) for _, file in (finished.snapshots[0], finished.snapshots[-1]))
+    begun = {first["Id"][i]: first["Points"][3 * i:3 * i + 3] for i, kind in enumerate(first["Type"]) if kind == SEDIMENT}
+    if not begun:
+        finished.fail(f"run {finished.run.name} has no sediment; take the entry out")
+    ways = [math.dist(begun[last["Id"][i]], last["Points"][3 * i:3 * i + 3])
+            for i, kind in enumerate(last["Type"]) if kind == SEDIMENT and last["Id"][i] in begun]
+    return [Point("", max(ways), 0.0, 0.0)]
+
+
+@measure("water speed", "Root mean square speed of the water in a snapshot [m/s].")
+def water_speed(finished, entry, _):
+    def sample(time):
+        found = finished.particles(finished.snapshot(time), ("Velocity", "Type"))
+        return rms(math.hypot(*found["Velocity"][3 * i:3 * i + 3]) for i, kind in enumerate(found["Type"]) if kind == WATER)
+    return entry.reference.points(sample)
+
+
+@measure("hydrostatic pressure", "Pressure [Pa] of every particle of the last snapshot, against the weight of what lies over it.",
+         Key("layers", "pairs", "top [m] and density [kg/m^3] of each layer, the lowest first", required=True), reference=False)
+def hydrostatic_pressure(finished, entry, _):
+    found = finished.particles(finished.snapshot(None), ("Points", "Type", "Pressure"))
+    layers = entry.given["layers"]
+    points = []
+    for i in of_fluid(found):
+        z = found["Points"][3 * i + 2]
+        known = layered_pressure(z, layers, finished.gravity)
+        points.append(Point(f"z = {z:.4g} m", found["Pressure"][i], known, known))
+    return points
+
+
+@measure("particle mean", "Mean of an array over the particles of one phase in a box.",
+         Key("array", "text", "a point array of the snapshots (docs/file-formats.md)", required=True),
+         Key("of", "text", "water or sediment", required=True, words=tuple(PHASES)),
+         Key("box", "pairs", "lowest and highest x, and z [m]: [[0, 0.05], [0, 0.006]]", required=True))
+def particle_mean(finished, entry, _):
+    (x0, x1), (z0, z1) = entry.given["box"][0], entry.given["box"][-1]
+
+    def sample(time):
+        found = finished.particles(finished.snapshot(time), ("Points", "Type", entry.given["array"]))
+        values, places = found[entry.given["array"]], found["Points"]
+        inside = [values[i] for i, kind in enumerate(found["Type"]) if kind == PHASES[entry.given["of"]]
+                  and x0 <= places[3 * i] <= x1 and z0 <= places[3 * i + 2] <= z1]
+        if not inside:
+            finished.fail(f"run {finished.run.name} has no {entry.given['of']} in the box at {time} s; enlarge it")
+        return sum(inside) / len(inside)
+    return entry.reference.points(sample)
+
+
+@measure("toe", "Farthest place along x [m] at which a curve of the profile is as high as `height`, linear between its points.",
+         Key("curve", "text", "bed (default), free_surface or moving_bed", words=("bed", "free_surface", "moving_bed")),
+         Key("height", "number", "[m]", required=True))
+def toe(finished, entry, _):
+    height = entry.given["height"]
+
+    def sample(time):
+        profile = finished.profile(finished.end if time is None else time, entry.given.get("curve", "bed"))
+        for (x, z), (after, below) in reversed(list(zip(profile, profile[1:]))):
+            if z >= height > below:
+                return x + (after - x) * (z - height) / (z - below)
+        finished.fail(f"no height of run {finished.run.name} falls through {height:g} m; give another height")
+    return entry.reference.points(sample)
