@@ -41,6 +41,8 @@ inline constexpr std::array restart_rules{
     RestartRule{"numerics.list_skin", true, "other lists of the same neighbours"},
     RestartRule{"numerics.excluded_limit", true, "another limit"},
     RestartRule{"numerics.precision", true, "other rounding"},
+    RestartRule{"surface_bed.factor", true, "another pace of the bed from here on"},
+    RestartRule{"surface_bed.step", true, "other steps of the bed from here on"},
     RestartRule{"version", true, "the version of Thalweg that wrote the checkpoint"},
 };
 
