@@ -68,8 +68,9 @@ double write_interval(const Case& scene) {
 
 CaseFiles case_files(const FoamCase& foam_case) {
   CaseFiles files;
-  for (CaseFiles part : {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case), bed_files(foam_case),
-                         surface_files(foam_case), control_files(foam_case), scripts(foam_case)}) {
+  for (CaseFiles part :
+       {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case), option_files(foam_case),
+        surface_files(foam_case), control_files(foam_case), scripts(foam_case)}) {
     files.merge(part);
   }
   files["case.foam"] = "";  // for ParaView, which opens the folder through it

@@ -13,11 +13,14 @@ namespace thalweg {
 /// The names in foam.models and of `thalweg foam --model`; foam_reference/foam_model.hpp describes the models.
 inline constexpr std::array<const char*, 3> mesh_model_names{"same-material", "eroding-bed", "stock"};
 
-enum class FoamTurbulence { laminar, smagorinsky };
+enum class FoamTurbulence { laminar, smagorinsky, k_omega };
 
-inline constexpr std::array<Choice<FoamTurbulence>, 2> choices(FoamTurbulence) {
+inline constexpr std::array<Choice<FoamTurbulence>, 3> choices(FoamTurbulence) {
   return {{{FoamTurbulence::laminar, "laminar", "none"},
-           {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"}}};
+           {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"},
+           {FoamTurbulence::k_omega, "k-omega",
+            "Menter's k-omega model with wall functions, of the shapes' roughness: the default where a current lasts "
+            "and the particles have a mixing length"}}};
 }
 
 /// [foam]: the mesh model of the same scene, in OpenFOAM.
@@ -49,6 +52,7 @@ struct Foam {
     v.choice("pick_up", pick_up, "What brings grains into suspension in \"eroding-bed\".");
   }
 
+  void set_defaults(const GivenWords& given);
   void check(const Case& whole, const CheckContext& at) const;
 };
 
