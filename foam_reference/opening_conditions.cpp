@@ -76,10 +76,12 @@ std::string axis_vector(const Vec3& along) {
   return fmt::format("vector({}, {}, {})", number(along.x()), number(along.y()), number(along.z()));
 }
 
-// Water that crosses in proportion to a weight: `flow_rate` [m^3/s] in all. An opening that has fallen dry brings none.
-std::string weighted_flow(const Vec3& along, const std::string& flow_rate, const std::string& weight) {
-  return expression(
-             fmt::format("{}*({})*({})/max(weightSum({}), 1e-9)", axis_vector(along), flow_rate, weight, weight)) +
+// Water that crosses in proportion to `shape` and to the share of water in a face, `share`; `flow_rate` [m^3/s] of water
+// in all, without the air in faces that are partly dry. An opening that has fallen dry brings none.
+std::string weighted_flow(const Vec3& along, const std::string& flow_rate, const std::string& share,
+                          const std::string& shape) {
+  return expression(fmt::format("{}*({})*({})*({})/max(weightSum(({})*({})*({})), 1e-9)", axis_vector(along), flow_rate,
+                                share, shape, share, share, shape)) +
          " value uniform (0 0 0);";
 }
 
@@ -147,8 +149,9 @@ std::string velocity_at(const FoamCase& foam_case, const OpeningPatch& patch) {
   const Vec3 along = patch.opening->axes().flow;
   if (patch.inlet != nullptr) {
     const std::string shape = shape_of(foam_case, patch);
-    const std::string weight = patch.inlet->surface == InletSurface::full ? shape : "alpha.water*" + shape;
-    return weighted_flow(along, flow_rate_of(foam_case, *patch.inlet, wetted_area(foam_case, *patch.inlet)), weight);
+    const std::string share = patch.inlet->surface == InletSurface::full ? "1" : "alpha.water";
+    return weighted_flow(along, flow_rate_of(foam_case, *patch.inlet, wetted_area(foam_case, *patch.inlet)), share,
+                         shape);
   }
   switch (patch.outlet->kind) {
     case OutletKind::fall:
@@ -161,7 +164,7 @@ std::string velocity_at(const FoamCase& foam_case, const OpeningPatch& patch) {
   for (const Inlet& inlet : foam_case.scene.inlets) {
     entering += (entering.empty() ? "" : " + ") + flow_rate_of(foam_case, inlet, wetted_area(foam_case, inlet));
   }
-  return weighted_flow(along, entering, "alpha.water");
+  return weighted_flow(along, entering, "alpha.water", "1");
 }
 
 std::string pressure_at(const FoamCase& foam_case, const OpeningPatch& patch) {
