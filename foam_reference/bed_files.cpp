@@ -63,9 +63,12 @@ CaseFiles option_files(const FoamCase& foam_case) {
     waterPhase      water;
     grainDensity    %grain_density%;
     waterDensity    %water_density%;
-}
+%eddies%}
 )",
-        {{"grain_density", number(scene.sediment().grain_density)}, {"water_density", number(scene.water.density)}});
+        {{"grain_density", number(scene.sediment().grain_density)},
+         {"water_density", number(scene.water.density)},
+         {"eddies",
+          foam_case.has_wall_functions() ? "    eddies          yes;  // k and omega of the law of the wall\n" : ""}});
   }
   if (scene.flow.drive != Drive::off) {
     purpose += "The drive accelerates the water along the flow, and is no part of gravity.\n";
