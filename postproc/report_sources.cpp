@@ -93,6 +93,8 @@ void add_mesh_models(ReportInput& input) {
     const bool known = std::any_of(input.sets.begin(), input.sets.end(),
                                    [&](const ProfileSet& set) { return set.label == mesh.label; });
     if (known) mesh.label += " (" + name + ")";
+    mesh.openings = read_openings(input.resolved, folder / "history.csv");
+    mesh.stations = read_velocity_stations(folder / "stations.csv");
     input.sets.push_back(read_profile_set(folder / "profiles", mesh.label, SourceKind::mesh));
     if (!mesh.summary.empty()) input.meshes.push_back(std::move(mesh));
   }
