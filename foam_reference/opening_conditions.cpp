@@ -85,7 +85,7 @@ std::string weighted_flow(const Vec3& along, const std::string& flow_rate, const
          " value uniform (0 0 0);";
 }
 
-// What k and omega are worth over the height of an inlet.
+// k and omega over the height of an inlet, as expressions.
 struct InletEddies {
   std::string k;
   std::string omega;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 // "OpenFOAM", with its model and cell size where it says them, so that two of them can be told apart.
 MeshModel mesh_model(const fs::path& folder, const std::string& otherwise) {
-  MeshModel mesh{"OpenFOAM", read_quantities(folder / "summary.csv")};
+  MeshModel mesh{"OpenFOAM", read_quantities(folder / "summary.csv"), {}, {}};
   if (const std::optional<std::string> model = text_of(mesh.summary, "mesh_model")) mesh.label += " " + *model;
   if (const std::optional<double> cell = number_of(mesh.summary, "cell_size")) {
     mesh.label += fmt::format(" {:g} mm", 1e3 * *cell);

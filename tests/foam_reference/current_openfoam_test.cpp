@@ -51,7 +51,7 @@ TEST_F(FoamCurrentTest, ReachesADischargeFromRest) {
   EXPECT_NEAR(history("bulk_velocity", "m/s").back(), 0.5, 0.005);
 }
 
-// What the inlet brings is the case's discharge to the water's compression, which is none; the outlet keeps its level.
+// The inlet brings the case's discharge, the books of the water close, and the outlet keeps its level.
 TEST_F(FoamCurrentTest, ConservesTheDischargeBetweenInletAndTailWater) {
   Case scene = channel();
   scene.output.end = 2;
