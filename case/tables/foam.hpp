@@ -40,7 +40,7 @@ struct Foam {
     v.texts(
         "models", models,
         "Mesh models to run: \"same-material\", \"eroding-bed\", \"stock\" (foam_reference/README.md). Default: the "
-        "first two where the scene has sediment.");
+        "first two where the scene has sediment; of a current over sediment the second alone.");
     v.quantity("cell", cell, "m", 0, 100, "Cell size of the mesh model; 0: twice the particle spacing.");
     v.integer("meshes", meshes, 1, 4,
               "Meshes each model runs on, each twice as coarse as the one before; their difference is shown as the "
