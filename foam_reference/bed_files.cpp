@@ -2,6 +2,7 @@
 #include "foam_reference/bed_files.hpp"
 
 #include "foam_reference/case_files.hpp"
+#include "foam_reference/current.hpp"
 #include "foam_reference/dictionary.hpp"
 #include "foam_reference/library/dictionary_words.hpp"
 #include "physics/transport/critical_shields.hpp"
@@ -46,24 +47,35 @@ std::string eroding_bed_function(const FoamCase& foam_case) {
                      {"columns", columns_entries(foam_case.plan, "            ")}});
 }
 
-CaseFiles bed_files(const FoamCase& foam_case) {
-  if (!foam_case.has_eroding_bed()) return {};
+CaseFiles option_files(const FoamCase& foam_case) {
   const Case& scene = foam_case.scene;
-  return {{"constant/fvOptions",
-           foam_file(scene, "dictionary", "fvOptions",
-                     "The bed holds the water in it still and brakes what runs over it (field bedDrag); grains in "
-                     "suspension\nadd their weight. Both fields come from the eroding bed in system/controlDict.",
-                     substitute(R"(immersedBed
+  std::string purpose;
+  std::string entries;
+  if (foam_case.has_eroding_bed()) {
+    purpose +=
+        "The bed holds the water in it still and brakes what runs over it (field bedDrag); grains in suspension\nadd "
+        "their weight. Both fields come from the eroding bed in system/controlDict.\n";
+    entries += substitute(
+        R"(immersedBed
 {
     type            immersedBed;
     libs            ("libthalwegFoam.so");
     waterPhase      water;
     grainDensity    %grain_density%;
     waterDensity    %water_density%;
-}
+%eddies%}
 )",
-                                {{"grain_density", number(scene.sediment().grain_density)},
-                                 {"water_density", number(scene.water.density)}}))}};
+        {{"grain_density", number(scene.sediment().grain_density)},
+         {"water_density", number(scene.water.density)},
+         {"eddies",
+          foam_case.has_wall_functions() ? "    eddies          yes;  // k and omega of the law of the wall\n" : ""}});
+  }
+  if (scene.flow.drive != Drive::off) {
+    purpose += "The drive accelerates the water along the flow, and is no part of gravity.\n";
+    entries += drive_entries(foam_case);
+  }
+  if (entries.empty()) return {};
+  return {{"constant/fvOptions", foam_file(scene, "dictionary", "fvOptions", purpose, entries)}};
 }
 
 }  // namespace thalweg::foam

@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/openings.hpp"
 #include "foam_reference/surface_files.hpp"
 
 namespace thalweg::foam {
@@ -15,9 +16,22 @@ namespace {
 // A time in whole microseconds, which are far below any step and have exact common divisors.
 std::int64_t microseconds(double time) { return std::llround(time * 1e6); }
 
+// A bed that is a phase has no law of the wall, and no model of eddies tells it from the water.
+void check_model(const Case& scene, FoamModel model) {
+  if (!scene.has_sediment() || model == FoamModel::eroding_bed) return;
+  const bool is_current = has_current(scene);
+  if (!is_current && scene.foam.turbulence != FoamTurbulence::k_omega) return;
+  throw InputError(
+      fmt::format("{}: the mesh model \"{}\" has no law of the wall over its bed, which {} needs; use foam.models = "
+                  "[\"eroding-bed\"] "
+                  "(--model eroding-bed), or run this case with --no-foam",
+                  place(scene), name_of(model), is_current ? "a current" : "foam.turbulence = \"k-omega\""));
+}
+
 }  // namespace
 
 FoamCase make_foam_case(const Case& scene, int ranks, FoamModel model, const std::filesystem::path& library) {
+  check_model(scene, model);
   FoamCase foam_case;
   foam_case.scene = scene;
   foam_case.model = model;
@@ -68,8 +82,9 @@ double write_interval(const Case& scene) {
 
 CaseFiles case_files(const FoamCase& foam_case) {
   CaseFiles files;
-  for (CaseFiles part : {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case), bed_files(foam_case),
-                         surface_files(foam_case), control_files(foam_case), scripts(foam_case)}) {
+  for (CaseFiles part :
+       {mesh_files(foam_case), initial_fields(foam_case), model_files(foam_case), option_files(foam_case),
+        surface_files(foam_case), control_files(foam_case), scripts(foam_case)}) {
     files.merge(part);
   }
   files["case.foam"] = "";  // for ParaView, which opens the folder through it

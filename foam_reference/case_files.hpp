@@ -11,6 +11,9 @@
 
 namespace thalweg::foam {
 
+/// Density of the air [kg/m^3]: dry, at 20 degrees C and sea level.
+inline constexpr double air_density = 1.2;
+
 /// Everything that a run of the mesh model depends on.
 struct FoamCase {
   Case scene;
@@ -23,7 +26,9 @@ struct FoamCase {
 
   [[nodiscard]] bool has_sediment_phase() const { return scene.has_sediment() && model != FoamModel::eroding_bed; }
   [[nodiscard]] bool has_eroding_bed() const { return scene.has_sediment() && model == FoamModel::eroding_bed; }
-  [[nodiscard]] std::string application() const { return application_of(model); }
+  /// True if walls have the law of the wall, with k and omega beside them.
+  [[nodiscard]] bool has_wall_functions() const { return scene.foam.turbulence == FoamTurbulence::k_omega; }
+  [[nodiscard]] std::string application() const { return application_of(scene, model); }
 };
 
 /// Text of every file of an OpenFOAM case, by its path in the case's folder.
@@ -51,7 +56,7 @@ std::string columns_entries(const MeshPlan& plan, const std::string& indent);
 CaseFiles mesh_files(const FoamCase& foam_case);
 CaseFiles initial_fields(const FoamCase& foam_case);
 CaseFiles model_files(const FoamCase& foam_case);
-CaseFiles bed_files(const FoamCase& foam_case);  // of the eroding bed
+CaseFiles option_files(const FoamCase& foam_case);  // of the eroding bed and the drive
 CaseFiles control_files(const FoamCase& foam_case);
 CaseFiles scripts(const FoamCase& foam_case);
 

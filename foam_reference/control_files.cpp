@@ -4,6 +4,8 @@
 #include "foam_reference/bed_files.hpp"
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/open_patches.hpp"
+#include "foam_reference/openings.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -17,29 +19,46 @@ double largest_step(const FoamCase& foam_case) {
   return 0.4 * plan.size().x() / std::sqrt(foam_case.scene.domain.gravity.norm() * height);
 }
 
-std::string volume_functions(const FoamCase& foam_case) {
-  std::string fields;
-  std::string outflows;
-  for (const std::string& phase : phases(foam_case)) {
-    fields += " alpha." + phase;
-    if (!foam_case.plan.open(Face::open) || phase == "air") continue;
-    outflows += substitute(R"(
-    outflow_%phase%  // [m^3/s] through the open faces
+// A number that is written at every step: what an operation makes of a field on a patch.
+std::string patch_function(const std::string& name, const std::string& comment, const std::string& patch,
+                           const std::string& operation, const std::string& field) {
+  return substitute(
+      R"(
+    %name%  // %comment%
     {
         type            surfaceFieldValue;
         libs            ("libfieldFunctionObjects.so");
         regionType      patch;
-        name            atmosphere;
-        operation       weightedSum;
-        weightField     alpha.%phase%;
-        fields          (phi);
+        name            %patch%;
+        operation       %operation%;
+        fields          (%field%);
         writeFields     no;
         writeControl    timeStep;
         writeInterval   1;
         log             no;
     }
 )",
-                           {{"phase", phase}});
+      {{"name", name}, {"comment", comment}, {"patch", patch}, {"operation", operation}, {"field", field}});
+}
+
+std::string outflow_function(const FoamCase& foam_case, const std::string& phase, const std::string& patch) {
+  // interFoam keeps the flux of water with which it moved the water.
+  const bool exact = foam_case.application() == "interFoam";
+  return patch_function(outflow_of(phase, patch), "[m^3/s] of " + phase + " out of the scene", patch,
+                        exact ? "sum" : "weightedSum;\n        weightField     alpha." + phase,
+                        exact ? "alphaPhi0." + phase : "phi");
+}
+
+std::string volume_functions(const FoamCase& foam_case) {
+  std::string fields;
+  std::string outflows;
+  for (const std::string& phase : phases(foam_case)) {
+    fields += " alpha." + phase;
+    if (phase == "air") continue;
+    for (const std::string& patch : open_patches(foam_case)) outflows += outflow_function(foam_case, phase, patch);
+  }
+  for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
+    outflows += patch_function(wet_area_of(patch.patch), "[m^2] wetted", patch.patch, "areaIntegrate", "alpha.water");
   }
   return substitute(R"(    volumes  // [m^3] of each phase
     {
@@ -96,7 +115,9 @@ functions
                      {"functions", volume_functions(foam_case)}});
 }
 
-constexpr const char* schemes = R"(ddtSchemes      { default Euler; }
+std::string schemes(const FoamCase& foam_case) {
+  return substitute(
+      R"(ddtSchemes      { default Euler; }
 gradSchemes     { default Gauss linear; }
 divSchemes
 {
@@ -105,11 +126,16 @@ divSchemes
     div(phi,alpha)      Gauss vanLeer;
     div(phirb,alpha)    Gauss linear;
     div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear;
-}
+%eddies%}
 laplacianSchemes        { default Gauss linear corrected; }
 interpolationSchemes    { default linear; }
 snGradSchemes           { default corrected; }
-)";
+%distance%)",
+      {{"eddies", foam_case.has_wall_functions()
+                      ? "    div(phi,k)          Gauss upwind;\n    div(phi,omega)      Gauss upwind;\n"
+                      : ""},
+       {"distance", foam_case.has_wall_functions() ? "wallDist                { method meshWave; }\n" : ""}});
+}
 
 // system/fvSolution. Where no face is open the pressure needs a point of a fixed value.
 std::string solution(const FoamCase& foam_case) {
@@ -146,7 +172,7 @@ std::string solution(const FoamCase& foam_case) {
         $p_rgh;
         relTol          0;
     }
-    "U.*"
+    "%transported%.*"
     {
         solver          PBiCGStab;
         preconditioner  DILU;
@@ -163,7 +189,10 @@ PIMPLE
     nNonOrthogonalCorrectors %corrections%;
 %reference%}
 )",
-                    {{"alpha", alpha}, {"corrections", plan.has_surfaces ? "1" : "0"}, {"reference", reference}});
+                    {{"alpha", alpha},
+                     {"transported", foam_case.has_wall_functions() ? "(U|k|omega)" : "U"},
+                     {"corrections", plan.has_surfaces ? "1" : "0"},
+                     {"reference", reference}});
 }
 
 }  // namespace
@@ -177,7 +206,8 @@ CaseFiles control_files(const FoamCase& foam_case) {
       "Times in s. Steps follow the Courant limits; maxDeltaT lets a surface wave cross 0.4 of a cell.\n"
       "Fields are written at a common divisor of the times to compare, the snapshots' interval and the end.",
       control(foam_case));
-  add("fvSchemes", "First order in time, second in space, phases kept sharp by limited compression.", schemes);
+  add("fvSchemes", "First order in time, second in space, phases kept sharp by limited compression.",
+      schemes(foam_case));
   add("fvSolution",
       "The momentum predictor carries the bed's large viscosity implicitly. One outer corrector: more of them "
       "together\n"

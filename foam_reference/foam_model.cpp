@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "common/error.hpp"
+#include "foam_reference/openings.hpp"
 
 namespace thalweg::foam {
 
@@ -20,6 +21,7 @@ FoamModel model_of(const std::string& name) {
 
 std::vector<FoamModel> models_of(const Case& scene) {
   if (!scene.has_sediment()) return {FoamModel::stock};
+  if (scene.foam.models.empty() && has_current(scene)) return {FoamModel::eroding_bed};
   if (scene.foam.models.empty()) return {FoamModel::same_material, FoamModel::eroding_bed};
   std::vector<FoamModel> models;
   for (const std::string& name : scene.foam.models) models.push_back(model_of(name));
@@ -27,6 +29,7 @@ std::vector<FoamModel> models_of(const Case& scene) {
 }
 
 bool needs_library(const Case& scene, FoamModel model) {
+  if (scene.flow.drive != Drive::off) return true;
   switch (model) {
     case FoamModel::same_material:
     case FoamModel::eroding_bed:
@@ -37,7 +40,9 @@ bool needs_library(const Case& scene, FoamModel model) {
   return false;
 }
 
-std::string application_of(FoamModel model) {
+std::string application_of(const Case& scene, FoamModel model) {
+  const bool is_mixed = has_current(scene) || scene.foam.turbulence == FoamTurbulence::k_omega;
+  if (!scene.has_sediment()) return is_mixed ? "interFoam" : "multiphaseInterFoam";
   switch (model) {
     case FoamModel::eroding_bed:
       return "interFoam";

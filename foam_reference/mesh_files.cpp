@@ -6,6 +6,9 @@
 
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/openings.hpp"
+#include "foam_reference/start_velocity.hpp"
+#include "foam_reference/wall_patches.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -19,7 +22,8 @@ std::string patch(const std::string& name, const std::string& type, const std::s
   return "    " + name + "\n    {\n        type " + type + ";\n" + more + "        faces (" + faces + ");\n    }\n";
 }
 
-std::string patches(const MeshPlan& plan) {
+std::string patches(const FoamCase& foam_case) {
+  const MeshPlan& plan = foam_case.plan;
   std::string walls, open, unused, cyclic;
   for (std::size_t face = 0; face < 6; ++face) {
     const std::string vertices = std::string(" ") + face_vertices[face];
@@ -43,7 +47,7 @@ std::string patches(const MeshPlan& plan) {
   if (!walls.empty()) text += patch("walls", "wall", walls + " ");
   if (!open.empty()) text += patch("atmosphere", "patch", open + " ");
   if (!unused.empty()) text += patch("frontAndBack", "empty", unused + " ");
-  if (plan.has_solids) text += patch("solids", "wall", "");
+  for (std::size_t i = 0; i < solid_roughnesses(foam_case).size(); ++i) text += patch(solids_patch(i), "wall", "");
   return text + cyclic;
 }
 
@@ -76,7 +80,7 @@ boundary
                      {"nx", std::to_string(plan.cells[0])},
                      {"ny", std::to_string(plan.cells[1])},
                      {"nz", std::to_string(plan.cells[2])},
-                     {"patches", patches(plan)}});
+                     {"patches", patches(foam_case)}});
 }
 
 // The corner of a box, moved up by a thousandth of a cell where its faces run through cell centres. Rounding would
@@ -134,6 +138,11 @@ std::string set_action(const std::string& set, const std::string& action, const 
                     {{"set", set}, {"action", action}, {"source", source.name}, {"entries", source.entries}});
 }
 
+std::string face_action(const std::string& set, const std::string& action, const CellSource& source) {
+  return substitute("    { name %set%; type faceSet; action %action%; source %source%; %entries% }\n",
+                    {{"set", set}, {"action", action}, {"source", source.name}, {"entries", source.entries}});
+}
+
 // Builds the cell set of a combined shape, its parts first.
 std::string combine(const FoamCase& foam_case, const Shape& shape) {
   std::string text;
@@ -155,8 +164,9 @@ bool holds_fluid(const Shape& shape) {
   return shape.role == ShapeRole::water || shape.role == ShapeRole::sediment || shape.role == ShapeRole::empty;
 }
 
-// The cells of the flow: all cells that are not in solid walls, and those that later shapes fill in a wall's place.
-std::string flow_set(const FoamCase& foam_case) {
+// The cells of the flow: all cells that are not in solid walls of this roughness, and those that later shapes fill in
+// such a wall's place. Cells that the flow does not reach, as those under a floor, go with the last walls.
+std::string flow_set(const FoamCase& foam_case, double roughness, bool is_last) {
   const MeshPlan& plan = foam_case.plan;
   const Vec3 margin = plan.size();
   std::string text = set_action(
@@ -166,9 +176,44 @@ std::string flow_set(const FoamCase& foam_case) {
         shape.role == ShapeRole::wall && !is_container(shape) && !is_meshed_solid(foam_case.scene, shape);
     if (!solid && !holds_fluid(shape)) continue;
     if (is_combined(shape)) text += combine(foam_case, shape);
-    text += set_action("flow", solid ? "subtract" : "add", cell_source(foam_case, shape));
+    const bool taken_out = solid && roughness_of(foam_case, shape) == roughness;
+    text += set_action("flow", taken_out ? "subtract" : "add", cell_source(foam_case, shape));
+  }
+  if (is_last && !plan.flow_points.empty()) {
+    std::string points;
+    for (const Vec3& point : plan.flow_points) points += " " + vector(point);
+    text += set_action("flow", "subset", {"regionToCell", "set flow; insidePoints (" + points + " );"});
   }
   return "actions\n(\n" + text + ");\n";
+}
+
+// The faces of each inlet and outlet.
+std::string opening_sets(const FoamCase& foam_case) {
+  std::string text;
+  for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
+    const Bounds bounds = bounds_of(patch, foam_case.plan, foam_case.scene.info.dimension);
+    CellSource source{"boxToFace", "box " + vector(off_centres(foam_case.plan, bounds.low)) + " " +
+                                       vector(off_centres(foam_case.plan, bounds.high)) + ";"};
+    if (patch.opening->is_round()) {
+      const Vec3 along = 0.01 * foam_case.plan.size().minCoeff() * patch.opening->axes().flow;
+      source = {"cylinderToFace", "p1 " + vector(patch.opening->at - along) + "; p2 " +
+                                      vector(patch.opening->at + along) + "; radius " +
+                                      number(0.5 * patch.opening->diameter) + ";"};
+    }
+    text += face_action(patch.patch, "new", source) +
+            face_action(patch.patch, "subset", {"patchToFace", "patch \"(walls|atmosphere)\";"});
+  }
+  return "actions\n(\n" + text + ");\n";
+}
+
+std::string create_patches(const FoamCase& foam_case) {
+  std::string text;
+  for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
+    text +=
+        substitute("    { name %name%; patchInfo { type patch; } constructFrom set; set %name%; }  // \"%called%\"\n",
+                   {{"name", patch.patch}, {"called", patch.opening->name}});
+  }
+  return "pointSync false;\n\npatches\n(\n" + text + ");\n";
 }
 
 std::string combined_sets(const FoamCase& foam_case) {
@@ -213,7 +258,8 @@ std::string set_fields(const FoamCase& foam_case) {
                            {"entries", source.entries},
                            {"values", phase_values(foam_case, phase)}});
   }
-  return "defaultFieldValues (" + phase_values(foam_case, "air") + ");\n\nregions\n(\n" + regions + ");\n";
+  return "defaultFieldValues (" + phase_values(foam_case, "air") + ");\n\nregions\n(\n" + regions +
+         start_regions(foam_case) + ");\n";
 }
 
 std::string decompose(const FoamCase& foam_case) {
@@ -250,9 +296,16 @@ CaseFiles mesh_files(const FoamCase& foam_case) {
                   plan.cells[1], plan.cells[2], vector(plan.size()),
                   scene.info.dimension == 2 ? ", 1 m wide so that volumes are per metre of width" : ""),
       block_mesh(foam_case));
-  if (plan.has_solids) {
-    add("topoSetDict.solids", "The cells left when solid walls are taken out, whole cells by their centres.",
-        flow_set(foam_case));
+  const std::vector<double> solids = solid_roughnesses(foam_case);
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const std::string of = solids[i] > 0 ? fmt::format(" with a roughness of {:g} m", solids[i]) : "";
+    add("topoSetDict." + solids_patch(i),
+        "The cells left when solid walls" + of + " are taken out, whole cells by their centres.",
+        flow_set(foam_case, solids[i], i + 1 == solids.size()));
+  }
+  if (!opening_patches(scene).empty()) {
+    add("topoSetDict.openings", "The faces of inlets and outlets, by their centres.", opening_sets(foam_case));
+    add("createPatchDict", "Inlets and outlets as patches of their own.", create_patches(foam_case));
   }
   if (const std::string sets = combined_sets(foam_case); !sets.empty()) {
     add("topoSetDict.shapes", "Cell sets of the combined shapes that setFields fills.", "actions\n(\n" + sets + ");\n");

@@ -8,6 +8,8 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "foam_reference/current_block.hpp"
+#include "foam_reference/openings.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -42,7 +44,8 @@ void check_kind(const Case& scene, const Shape& shape) {
                    "mesh and combinations); run this case with --no-foam");
 }
 
-const Shape& find_container(const Case& scene) {
+// The container; nullptr in a scene with a current that has none.
+const Shape* find_container(const Case& scene) {
   const Shape* container = nullptr;
   for (const Shape& shape : scene.shapes) {
     if (shape.role == ShapeRole::moving_wall) {
@@ -61,7 +64,7 @@ const Shape& find_container(const Case& scene) {
     }
     container = &shape;
   }
-  if (container != nullptr) return *container;
+  if (container != nullptr || has_current(scene)) return container;
   throw InputError(place(scene) +
                    ": no container; the mesh model needs a wall shape with kind = \"box\" and side = \"outside\"");
 }
@@ -104,18 +107,6 @@ void check_gravity(const Case& scene) {
                    "negative z component that is its largest");
 }
 
-void check_flow(const Case& scene) {
-  if (scene.flow.drive == Drive::off) return;
-  throw InputError(place(scene) +
-                   ": the mesh model drives no flow ([flow]); run the case without it: thalweg run CASE --no-foam");
-}
-
-void check_openings(const Case& scene) {
-  if (scene.inlets.empty() && scene.outlets.empty()) return;
-  throw InputError(place(scene) +
-                   ": the mesh model has no inlets and outlets; run the case without it: thalweg run CASE --no-foam");
-}
-
 void check_resolution(const Case& scene, const MeshPlan& plan) {
   for (const std::size_t axis : {0U, 1U, 2U}) {
     if (plan.faces[2 * axis] == Face::unused || plan.cells[axis] >= 2) continue;
@@ -129,23 +120,7 @@ void check_resolution(const Case& scene, const MeshPlan& plan) {
                                place(scene), format_quantity(plan.cell, "m"), count));
 }
 
-}  // namespace
-
-Vec3 MeshPlan::size() const {
-  return (high - low)
-      .cwiseQuotient(Vec3(static_cast<double>(cells[0]), static_cast<double>(cells[1]), static_cast<double>(cells[2])));
-}
-
-bool MeshPlan::open(Face kind) const { return std::ranges::find(faces, kind) != faces.end(); }
-
-double cell_size(const Case& scene) { return scene.foam.cell > 0 ? scene.foam.cell : 2 * scene.numerics.spacing; }
-
-MeshPlan plan_mesh(const Case& scene) {
-  const Shape& container = find_container(scene);
-  check_flow(scene);
-  check_openings(scene);
-  check_gravity(scene);
-
+MeshPlan plan_container(const Case& scene, const Shape& container) {
   MeshPlan plan;
   plan.cell = cell_size(scene);
   plan.faces = face_kinds(scene, container);
@@ -166,12 +141,35 @@ MeshPlan plan_mesh(const Case& scene) {
     // Whole cells of the wanted size. The 1e-9 keeps a height that is a whole number of cells from gaining one.
     plan.high.z() = plan.low.z() + plan.cell * std::ceil((top + above - plan.low.z()) / plan.cell - 1e-9);
   }
+  count_cells(scene, plan);
+  return plan;
+}
+
+}  // namespace
+
+Vec3 MeshPlan::size() const {
+  return (high - low)
+      .cwiseQuotient(Vec3(static_cast<double>(cells[0]), static_cast<double>(cells[1]), static_cast<double>(cells[2])));
+}
+
+bool MeshPlan::open(Face kind) const { return std::ranges::find(faces, kind) != faces.end(); }
+
+double cell_size(const Case& scene) { return scene.foam.cell > 0 ? scene.foam.cell : 2 * scene.numerics.spacing; }
+
+void count_cells(const Case& scene, MeshPlan& plan) {
   for (const std::size_t axis : {0U, 1U, 2U}) {
     if (plan.faces[2 * axis] == Face::unused) continue;
     const double length = plan.high[static_cast<int>(axis)] - plan.low[static_cast<int>(axis)];
     plan.cells[axis] = std::llround(length / plan.cell);
   }
   check_resolution(scene, plan);
+}
+
+MeshPlan plan_mesh(const Case& scene) {
+  const Shape* container = find_container(scene);
+  check_gravity(scene);
+  MeshPlan plan = container != nullptr ? plan_container(scene, *container) : plan_current(scene);
+  check_openings(scene, plan);
   plan.has_solids = std::ranges::any_of(scene.shapes, [&](const Shape& shape) {
     return shape.role == ShapeRole::wall && !is_container(shape) && !is_meshed_solid(scene, shape);
   });
@@ -191,20 +189,23 @@ SceneContents measure_contents(const Case& scene, const MeshPlan& plan) {
   for (std::int64_t i = 0; i < plan.cells[0] * points; ++i) {
     for (std::int64_t j = 0; j < plan.cells[1] * across; ++j) {
       double sediment = 0;
+      bool wet = false;
       for (std::int64_t k = 0; k < plan.cells[2] * points; ++k) {
         const Vec3 index(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
         const Material material = material_at(scene, plan.low + (index.array() + 0.5).matrix().cwiseProduct(step));
         if (material == Material::water) contents.water_volume += sample;
+        wet = wet || material == Material::water;
         if (material == Material::sediment) sediment += sample;
       }
       contents.sediment_volume += sediment;
+      if (wet) contents.water_area += step.x() * step.y();
       if (sediment > 0) ++columns_with_sediment;
     }
   }
   if (columns_with_sediment > 0) {
     contents.bed_thickness = contents.sediment_volume / (columns_with_sediment * step.x() * step.y());
   }
-  if (contents.water_volume + contents.sediment_volume <= 0) {
+  if (contents.water_volume + contents.sediment_volume <= 0 && scene.inlets.empty()) {
     throw InputError(place(scene) + ": water and sediment lie outside the container; move the shapes inside it");
   }
   return contents;

@@ -9,9 +9,7 @@
 namespace thalweg::foam {
 namespace {
 
-// Dry air at 20 degrees C at sea level.
-constexpr double air_density = 1.2;                 // [kg/m^3]
-constexpr double air_kinematic_viscosity = 1.5e-5;  // [m^2/s]
+constexpr double air_kinematic_viscosity = 1.5e-5;  // [m^2/s] dry air at 20 degrees C at sea level
 
 std::string newtonian(const std::string& phase, double kinematic_viscosity, double density) {
   return substitute(R"(    %phase%
@@ -168,6 +166,19 @@ LES
 }
 )";
 
+// b1 = 0 is Menter's baseline model. The limiter of its successor, SST, takes the shear between a wall and the first
+// centre for that of the water, although the wall function replaces it, and holds the eddy viscosity there to a third.
+constexpr const char* k_omega = R"(simulationType RAS;
+
+RAS
+{
+    RASModel        kOmegaSST;
+    turbulence      on;
+    printCoeffs     on;
+    kOmegaSSTCoeffs { b1 0; }
+}
+)";
+
 std::string turbulence_properties(const Case& scene) {
   std::string purpose;
   std::string body;
@@ -179,6 +190,12 @@ std::string turbulence_properties(const Case& scene) {
     case FoamTurbulence::smagorinsky:
       purpose = "Large eddies, in all phases alike: Smagorinsky's model does not tell them apart.";
       body = large_eddies;
+      break;
+    case FoamTurbulence::k_omega:
+      purpose =
+          "Mean flow of a current: Menter's k-omega model without the limiter of SST (b1 0), which does not fit wall\n"
+          "functions.";
+      body = k_omega;
       break;
   }
   return foam_file(scene, "dictionary", "turbulenceProperties", purpose, body);

@@ -13,9 +13,12 @@
 #include "common/profile.hpp"
 #include "foam_reference/bed_files.hpp"
 #include "foam_reference/column_sampler.hpp"
+#include "foam_reference/current_records.hpp"
 #include "foam_reference/field_file.hpp"
+#include "foam_reference/function_table.hpp"
 #include "foam_reference/reference_run.hpp"
 #include "foam_reference/summary.hpp"
+#include "foam_reference/velocity_sampler.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -49,20 +52,6 @@ double volume(const fs::path& field, const std::vector<double>& cell_volumes) {
   return std::inner_product(shares.begin(), shares.end(), cell_volumes.begin(), 0.0);
 }
 
-// Rows of numbers of a function object's file; comment lines start with #.
-std::vector<std::vector<double>> read_table(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw RunError(file.string() + ": this table has not been written; see the solver's log");
-  std::vector<std::vector<double>> rows;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with("#")) continue;
-    std::istringstream text(line);
-    rows.emplace_back();
-    for (double value = 0; text >> value;) rows.back().push_back(value);
-  }
-  return rows;
-}
-
 // Time, grains of the bed, in suspension and gone [m^3], lowest and highest bed [m]: the start, then every step.
 constexpr std::size_t grain_columns = 6;
 std::vector<std::vector<double>> read_grains(const fs::path& folder) {
@@ -92,6 +81,10 @@ void write_history(const FoamCase& foam_case, const fs::path& folder, const std:
       columns.push_back({name, volume_unit(foam_case)});
     }
   }
+  std::vector<double> grains_left;
+  for (const auto& row : grains) grains_left.push_back(row.at(3));
+  const CurrentRecords current = current_records(foam_case, folder, steps, grains_left);
+  columns.insert(columns.end(), current.columns.begin(), current.columns.end());
   columns.push_back({"continuity_error", "-"});
   CsvTable history(columns);
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -100,20 +93,11 @@ void write_history(const FoamCase& foam_case, const fs::path& folder, const std:
     if (!grains.empty()) {
       for (const std::size_t part : {1U, 2U, 3U}) row.push_back(csv_number(grains[i].at(part)));
     }
+    for (const std::vector<double>& values : current.values) row.push_back(csv_number(values[i]));
     row.push_back(csv_number(steps[i].continuity_error));
     history.add_row(row);
   }
   history.write(folder / "history.csv");
-}
-
-// Time integral of a flux that was written at every step.
-double outflow(const FoamCase& foam_case, const fs::path& folder, const std::string& phase,
-               const std::vector<SolverStep>& steps) {
-  if (!foam_case.plan.open(Face::open)) return 0;
-  const auto rows = read_table(folder / "case/postProcessing" / ("outflow_" + phase) / "0/surfaceFieldValue.dat");
-  double sum = 0;
-  for (std::size_t i = 0; i < std::min(rows.size(), steps.size()); ++i) sum += rows[i].back() * steps[i].dt;
-  return sum;
 }
 
 // The eroding bed's columns at a time: x, y, floor, bed, thickness of the grains in suspension, and transport.
@@ -139,6 +123,37 @@ PhaseFields read_phases(const FoamCase& foam_case, const fs::path& fields) {
     for (double& share : shares.air) share = 1 - share;
   }
   return shares;
+}
+
+// Water in the pores of the bed does not flow.
+void exclude_bed(const std::vector<double>& bed, std::vector<double>& share) {
+  const std::size_t cells = std::max(bed.size(), share.size());
+  if (share.size() < cells) share.assign(cells, share.front());
+  for (std::size_t cell = 0; cell < cells; ++cell) share[cell] *= 1 - bed[bed.size() == 1 ? 0 : cell];
+}
+
+// The times of the last half of the run at which fields were written.
+std::vector<fs::path> late_fields(const fs::path& case_folder, double end) {
+  std::vector<fs::path> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(case_folder)) {
+    const std::string name = entry.path().filename().string();
+    char* rest = nullptr;
+    const double time = std::strtod(name.c_str(), &rest);
+    if (rest != name.c_str() && *rest == '\0' && time > 0 && time >= 0.5 * end - 1e-6) folders.push_back(entry.path());
+  }
+  return folders;
+}
+
+// Velocities over the depth, where a current lasts.
+void write_velocities(const FoamCase& foam_case, const fs::path& folder) {
+  if (!foam_case.scene.has_lasting_current()) return;
+  VelocitySampler sampler(foam_case, cell_centres(folder / "case"));
+  for (const fs::path& fields : late_fields(folder / "case", foam_case.scene.output.end)) {
+    WaterFields water{read_scalar_field(fields / "alpha.water"), read_vector_field(fields / "U")};
+    if (foam_case.has_eroding_bed()) exclude_bed(read_scalar_field(fields / "bed"), water.share);
+    sampler.add(water);
+  }
+  write_stations(folder / "stations.csv", sampler.stations());
 }
 
 }  // namespace
@@ -180,6 +195,7 @@ std::vector<VolumeBalance> write_results(const FoamCase& foam_case, const fs::pa
   }
   if (foam_case.has_eroding_bed()) balances.push_back(balance_of_grains(folder));
   write_profiles(foam_case, folder);
+  write_velocities(foam_case, folder);
   write_history(foam_case, folder, run.steps);
   write_summary(foam_case, folder / "summary.csv", run, cells, balances);
   return balances;

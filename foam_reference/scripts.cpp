@@ -2,6 +2,7 @@
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
 #include "foam_reference/surface_files.hpp"
+#include "foam_reference/wall_patches.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -38,10 +39,15 @@ rm -f constant/C constant/C[xyz] constant/V constant/cellLevel constant/cellMap 
 CaseFiles scripts(const FoamCase& foam_case) {
   const CaseFiles mesh = mesh_files(foam_case);
   std::string carve = surface_steps(foam_case);
-  if (foam_case.plan.has_solids) {
+  for (std::size_t i = 0; i < solid_roughnesses(foam_case).size(); ++i) {
+    const std::string patch = solids_patch(i);
+    carve += "step topoSet." + patch + " topoSet -dict system/topoSetDict." + patch + "\nstep subsetMesh" +
+             (i > 0 ? "." + patch : "") + " subsetMesh flow -patch " + patch + " -overwrite\n";
+  }
+  if (mesh.contains("system/createPatchDict")) {
     carve +=
-        "step topoSet.solids topoSet -dict system/topoSetDict.solids\n"
-        "step subsetMesh subsetMesh flow -patch solids -overwrite\n";
+        "step topoSet.openings topoSet -dict system/topoSetDict.openings\n"
+        "step createPatch createPatch -overwrite\n";
   }
   if (mesh.contains("system/topoSetDict.shapes")) {
     carve += "step topoSet.shapes topoSet -dict system/topoSetDict.shapes\n";

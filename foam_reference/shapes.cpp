@@ -131,21 +131,28 @@ Bounds bounds_of(const Case& scene, const Shape& shape) {
                    "\"; run this case with --no-foam");
 }
 
-Material material_at(const Case& scene, const Vec3& point) {
+const Shape* shape_at(const Case& scene, const Vec3& point) {
   for (auto shape = scene.shapes.rbegin(); shape != scene.shapes.rend(); ++shape) {
     if (shape->role == ShapeRole::none || is_container(*shape) || !contains(scene, *shape, point)) continue;
-    switch (shape->role) {
-      case ShapeRole::water:
-        return Material::water;
-      case ShapeRole::sediment:
-        return Material::sediment;
-      case ShapeRole::wall:
-      case ShapeRole::moving_wall:
-        return Material::solid;
-      case ShapeRole::empty:
-      case ShapeRole::none:
-        return Material::air;
-    }
+    return &*shape;
+  }
+  return nullptr;
+}
+
+Material material_at(const Case& scene, const Vec3& point) {
+  const Shape* shape = shape_at(scene, point);
+  if (shape == nullptr) return Material::air;
+  switch (shape->role) {
+    case ShapeRole::water:
+      return Material::water;
+    case ShapeRole::sediment:
+      return Material::sediment;
+    case ShapeRole::wall:
+    case ShapeRole::moving_wall:
+      return Material::solid;
+    case ShapeRole::empty:
+    case ShapeRole::none:
+      break;
   }
   return Material::air;
 }

@@ -32,8 +32,11 @@ bool contains(const Case& scene, const Shape& shape, const Vec3& point);
 /// that the bounds of its parts share. Throws InputError for a kind of shape that the mesh model does not have.
 Bounds bounds_of(const Case& scene, const Shape& shape);
 
-/// The material that the shapes put at `point` [m]. Later shapes take the place of earlier ones; the container is left
-/// out.
+/// The shape that fills `point` [m], nullptr if none does. Later shapes take the place of earlier ones; the container is
+/// left out.
+const Shape* shape_at(const Case& scene, const Vec3& point);
+
+/// The material of that shape; air without one.
 Material material_at(const Case& scene, const Vec3& point);
 
 /// True if the shape is a solid that snappyHexMesh takes out: a wall in 3-D from an STL or OBJ file, not turned.

@@ -63,6 +63,8 @@ std::string name_of(FoamTurbulence model) {
   switch (model) {
     case FoamTurbulence::smagorinsky:
       return "Smagorinsky";
+    case FoamTurbulence::k_omega:
+      return "k-omega";
     case FoamTurbulence::laminar:
       break;
   }
@@ -94,7 +96,7 @@ void write_sediment(Summary& summary, const FoamCase& foam_case) {
 std::string sentence_of(const FoamCase& foam_case) {
   const std::string turbulence = name_of(foam_case.scene.foam.turbulence);
   if (foam_case.has_eroding_bed()) return "interFoam over an eroding bed (libthalwegFoam; " + turbulence + ")";
-  if (needs_library(foam_case.scene, foam_case.model)) {
+  if (foam_case.scene.has_sediment() && needs_library(foam_case.scene, foam_case.model)) {
     return "multiphaseInterFoam, sediment by the particle model's laws (libthalwegFoam; " + turbulence + ")";
   }
   return foam_case.application() + " (stock OpenFOAM; " + turbulence + ")";
@@ -115,7 +117,8 @@ void write_summary(const FoamCase& foam_case, const fs::path& file, const FoamRu
   summary.row("model", sentence_of(foam_case));
   summary.row("openfoam_version", run.openfoam_version);
   if (foam_case.rheology) write_rheology(summary, *foam_case.rheology);
-  if (needs_library(foam_case.scene, foam_case.model)) write_sediment(summary, foam_case);
+  if (foam_case.scene.has_sediment() && needs_library(foam_case.scene, foam_case.model))
+    write_sediment(summary, foam_case);
   summary.row("cell_size", foam_case.plan.cell, "m");
   summary.count("cells", cells);
   summary.count("ranks", static_cast<std::size_t>(foam_case.ranks));

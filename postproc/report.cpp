@@ -87,7 +87,14 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   if (!input.stations.empty()) {
     const fs::path table = input.run.report() / "data" / "stations.csv";
     write_velocity_stations(table, input.stations);
-    scripts.push_back(writer.stations(table, input.stations));
+    std::vector<MeshStations> meshes;
+    for (const MeshModel& mesh : input.meshes) {
+      if (mesh.stations.empty()) continue;
+      meshes.push_back(
+          {mesh.label, table.parent_path() / fmt::format("stations-mesh{}.csv", meshes.size() + 1), mesh.stations});
+      write_velocity_stations(meshes.back().table, mesh.stations);
+    }
+    scripts.push_back(writer.stations(table, input.stations, meshes));
   }
   constexpr std::size_t most_points = 200'000;  // more than a picture resolves
   const ParticleTable table =

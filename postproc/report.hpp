@@ -19,6 +19,8 @@ namespace thalweg {
 struct MeshModel {
   std::string label;
   std::vector<Quantity> summary;
+  OpeningRecords openings;                // of its own history.csv
+  std::vector<VelocityStation> stations;  // of its stations.csv
 };
 
 /// A table of the bed's rise (+) or fall (-) since the run's first profile, at every place and time with a profile.

@@ -38,7 +38,9 @@ std::string methods(const ReportInput& input, const fs::path& pictures) {
   const std::string cost = html::inline_svg(pictures / "cost.svg", "cost", "Speed against error of both methods");
   if (!cost.empty()) {
     text += "<figure>\n" + cost +
-            "<figcaption>CPU time of each run, and the distance of its bed from the finest run of the same method. "
+            "<figcaption>CPU time of each run, and the distance of its bed, or of its free surface without a bed, from "
+            "the finest "
+            "run of the same method. "
             "The finest runs themselves are not shown. The distance shows the effect of the resolution; it does not "
             "show how close a method is to reality.</figcaption>\n</figure>\n";
   }

@@ -53,7 +53,12 @@ std::string openings(const ReportInput& input, const std::filesystem::path& pict
     text += figure(html::inline_svg(pictures / "levels.svg", "levels", "Water levels at inlets and outlets"),
                    "Level of the scene's water next to the openings.");
   }
-  return text + "</div>\n";
+  text += "</div>\n";
+  for (const MeshModel& mesh : input.meshes) {
+    if (mesh.openings.openings.empty()) continue;
+    text += "<p>" + html::escape(mesh.label) + ":</p>\n" + opening_table(mesh.openings, unit);
+  }
+  return text;
 }
 
 }  // namespace thalweg::report_sections

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 // "OpenFOAM", with its model and cell size where it says them, so that two of them can be told apart.
 MeshModel mesh_model(const fs::path& folder, const std::string& otherwise) {
-  MeshModel mesh{"OpenFOAM", read_quantities(folder / "summary.csv")};
+  MeshModel mesh{"OpenFOAM", read_quantities(folder / "summary.csv"), {}, {}};
   if (const std::optional<std::string> model = text_of(mesh.summary, "mesh_model")) mesh.label += " " + *model;
   if (const std::optional<double> cell = number_of(mesh.summary, "cell_size")) {
     mesh.label += fmt::format(" {:g} mm", 1e3 * *cell);
@@ -93,6 +93,8 @@ void add_mesh_models(ReportInput& input) {
     const bool known = std::any_of(input.sets.begin(), input.sets.end(),
                                    [&](const ProfileSet& set) { return set.label == mesh.label; });
     if (known) mesh.label += " (" + name + ")";
+    mesh.openings = read_openings(input.resolved, folder / "history.csv");
+    mesh.stations = read_velocity_stations(folder / "stations.csv");
     input.sets.push_back(read_profile_set(folder / "profiles", mesh.label, SourceKind::mesh));
     if (!mesh.summary.empty()) input.meshes.push_back(std::move(mesh));
   }

@@ -7,22 +7,35 @@
 
 namespace thalweg::report_sections {
 
-std::string stations(const ReportInput& input, const std::filesystem::path& pictures) {
-  if (input.stations.empty()) return "";
-  std::vector<std::vector<std::string>> rows;
-  for (const VelocityStation& station : input.stations) {
+namespace {
+
+void add_rows(const std::vector<VelocityStation>& stations, const std::string& method,
+              std::vector<std::vector<std::string>>& rows) {
+  for (const VelocityStation& station : stations) {
     const auto cell = [](double value, const char* unit) { return html::typeset(format_quantity(value, unit)); };
-    rows.push_back({cell(station.place, "m"), cell(station.ground, "m"), cell(station.depth, "m"),
+    rows.push_back({html::escape(method), cell(station.place, "m"), cell(station.ground, "m"), cell(station.depth, "m"),
                     cell(station.mean_velocity, "m/s"), cell(station.friction_velocity, "m/s"),
                     fmt::format("{:.1f} %", 100 * station.deviation)});
   }
+}
+
+}  // namespace
+
+std::string stations(const ReportInput& input, const std::filesystem::path& pictures) {
+  if (input.stations.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  add_rows(input.stations, "particles", rows);
+  for (const MeshModel& mesh : input.meshes) add_rows(mesh.stations, mesh.label, rows);
+  const std::string of_meshes = rows.size() > input.stations.size() ? ", of mesh models open ones" : "";
   return "<h2>Velocity over the depth</h2>\n" +
-         html::table({"place", "ground", "depth", "mean velocity", "u* of the law", "deviation"}, rows, "rrrrrr") +
+         html::table({"method", "place", "ground", "depth", "mean velocity", "u* of the law", "deviation"}, rows,
+                     "lrrrrrr") +
          "<div class=\"pair\">\n" +
-         figure(html::inline_svg(pictures / "stations.svg", "stations", "Velocity over the depth"),
-                "Velocity along the flow at three places (points), a mean over the last half of the run, and the "
-                "logarithmic law with the same mean velocity and depth (lines). Numbers: <a "
-                "href=\"data/stations.csv\">data/stations.csv</a>.") +
+         figure(
+             html::inline_svg(pictures / "stations.svg", "stations", "Velocity over the depth"),
+             "Velocity along the flow at three places (points" + of_meshes +
+                 "), a mean over the last half of the run, and the logarithmic law with the particles' mean velocity "
+                 "and depth (lines). Numbers: <a href=\"data/stations.csv\">data/stations.csv</a>.") +
          "</div>\n";
 }
 

@@ -83,6 +83,16 @@ void add(const ParticleSet& particles, const Way& way, double place, double reac
   }
 }
 
+/// Root of the mean square of velocity minus law over the mean velocity [-]; 0 without rows or a current.
+double deviation_of(const VelocityStation& station) {
+  if (station.height.empty() || !(station.mean_velocity > 0)) return 0;
+  double squares = 0;
+  for (std::size_t row = 0; row < station.height.size(); ++row) {
+    squares += std::pow(station.velocity[row] - station.law[row], 2);
+  }
+  return std::sqrt(squares / static_cast<double>(station.height.size())) / station.mean_velocity;
+}
+
 VelocityStation station_of(const Case& of, const Sums& sums, double place, double area, double snapshots) {
   const double spacing = of.numerics.spacing;
   VelocityStation station;
@@ -97,7 +107,6 @@ VelocityStation station_of(const Case& of, const Sums& sums, double place, doubl
         friction_velocity_of_current(station.mean_velocity, station.depth, viscosity, roughness);
   }
   const double full = area / std::pow(spacing, of.info.dimension - 1) * snapshots;  // particles of a row
-  double squares = 0;
   for (const auto& [row, number] : sums.number) {
     if (number < 0.5 * full) continue;
     const double height = (row + 0.5) * spacing - station.ground;
@@ -108,11 +117,8 @@ VelocityStation station_of(const Case& of, const Sums& sums, double place, doubl
     station.height.push_back(height);
     station.velocity.push_back(velocity);
     station.law.push_back(law);
-    squares += (velocity - law) * (velocity - law);
   }
-  if (!station.height.empty() && station.mean_velocity > 0) {
-    station.deviation = std::sqrt(squares / static_cast<double>(station.height.size())) / station.mean_velocity;
-  }
+  station.deviation = deviation_of(station);
   return station;
 }
 
@@ -160,6 +166,31 @@ void write_velocity_stations(const std::filesystem::path& file, const std::vecto
     }
   }
   table.write(file);
+}
+
+std::vector<VelocityStation> read_velocity_stations(const std::filesystem::path& file) {
+  std::vector<VelocityStation> stations;
+  if (!std::filesystem::exists(file)) return stations;
+  const CsvTable table = CsvTable::read(file);
+  const auto column = [&](const char* name, const char* unit) { return table.numbers(name, unit); };
+  const std::vector<double> place = column("place", "m");
+  const std::vector<double> height = column("height", "m");
+  const std::vector<double> velocity = column("velocity", "m/s");
+  const std::vector<double> law = column("law", "m/s");
+  const std::vector<double> ground = column("ground", "m");
+  const std::vector<double> depth = column("depth", "m");
+  const std::vector<double> mean = column("mean_velocity", "m/s");
+  const std::vector<double> friction = column("friction_velocity", "m/s");
+  for (std::size_t row = 0; row < place.size(); ++row) {
+    if (stations.empty() || stations.back().place != place[row]) {
+      stations.push_back({place[row], ground[row], depth[row], mean[row], friction[row], 0, {}, {}, {}});
+    }
+    stations.back().height.push_back(height[row]);
+    stations.back().velocity.push_back(velocity[row]);
+    stations.back().law.push_back(law[row]);
+  }
+  for (VelocityStation& station : stations) station.deviation = deviation_of(station);
+  return stations;
 }
 
 }  // namespace thalweg

@@ -31,4 +31,9 @@ std::vector<VelocityStation> velocity_stations(const Case& of, const std::vector
 /// Writes them as a table: place [m], height [m], velocity [m/s], law [m/s].
 void write_velocity_stations(const std::filesystem::path& file, const std::vector<VelocityStation>& stations);
 
+/// Reads the stations that a mesh model has written (foam/MODEL/stations.csv): that table with the station's ground [m],
+/// depth [m], mean_velocity [m/s] and friction_velocity [m/s] in each row. None if there is no such file. Throws
+/// InputError.
+std::vector<VelocityStation> read_velocity_stations(const std::filesystem::path& file);
+
 }  // namespace thalweg

@@ -13,11 +13,14 @@ namespace thalweg {
 /// The names in foam.models and of `thalweg foam --model`; foam_reference/foam_model.hpp describes the models.
 inline constexpr std::array<const char*, 3> mesh_model_names{"same-material", "eroding-bed", "stock"};
 
-enum class FoamTurbulence { laminar, smagorinsky };
+enum class FoamTurbulence { laminar, smagorinsky, k_omega };
 
-inline constexpr std::array<Choice<FoamTurbulence>, 2> choices(FoamTurbulence) {
+inline constexpr std::array<Choice<FoamTurbulence>, 3> choices(FoamTurbulence) {
   return {{{FoamTurbulence::laminar, "laminar", "none"},
-           {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"}}};
+           {FoamTurbulence::smagorinsky, "smagorinsky", "large eddies with Smagorinsky's model, in all phases"},
+           {FoamTurbulence::k_omega, "k-omega",
+            "Menter's k-omega model with wall functions, of the shapes' roughness: the default where a current lasts "
+            "and the particles have a mixing length"}}};
 }
 
 /// [foam]: the mesh model of the same scene, in OpenFOAM.
@@ -37,7 +40,7 @@ struct Foam {
     v.texts(
         "models", models,
         "Mesh models to run: \"same-material\", \"eroding-bed\", \"stock\" (foam_reference/README.md). Default: the "
-        "first two where the scene has sediment.");
+        "first two where the scene has sediment; of a current over sediment the second alone.");
     v.quantity("cell", cell, "m", 0, 100, "Cell size of the mesh model; 0: twice the particle spacing.");
     v.integer("meshes", meshes, 1, 4,
               "Meshes each model runs on, each twice as coarse as the one before; their difference is shown as the "
@@ -49,6 +52,7 @@ struct Foam {
     v.choice("pick_up", pick_up, "What brings grains into suspension in \"eroding-bed\".");
   }
 
+  void set_defaults(const GivenWords& given);
   void check(const Case& whole, const CheckContext& at) const;
 };
 

@@ -13,6 +13,7 @@
 #include "foam_reference/library/suspended_grains.H"
 #include "physics/bed/avalanche.hpp"
 #include "physics/bed/move_bed_load.hpp"
+#include "physics/water/von_karman.hpp"
 
 namespace Foam {
 namespace functionObjects {
@@ -50,6 +51,10 @@ erodingBed::erodingBed(const word& name, const Time& time, const dictionary& dic
       bed_share_(field("bed", IOobject::MUST_READ)),
       grains_(field("grains", IOobject::MUST_READ)),
       drag_field_(field("bedDrag", IOobject::NO_READ)),
+      k_over_bed_(IOobject("kOverBed", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_,
+                  dimensionedScalar("k", dimVelocity * dimVelocity, -1)),
+      omega_over_bed_(IOobject("omegaOverBed", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE),
+                      mesh_, dimensionedScalar("omega", dimless / dimTime, -1)),
       free_(IOobject("freeOfBed", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_,
             dimensionedScalar(dimless, Zero), zeroGradientFvPatchScalarField::typeName) {
   read(dict);
@@ -191,6 +196,21 @@ void erodingBed::take_in_covered_grains() {
   for (std::size_t c = 0; c < taken.size(); ++c) bed_.grains[c] += taken[c];
 }
 
+// A layer of constant stress over the bed: k = u*^2/sqrt(C_mu), omega = u*/(sqrt(C_mu) kappa z), C_mu = 0.09. In the bed
+// nothing eddies: the eddy viscosity is 1e-11 m^2/s there.
+void erodingBed::set_eddies(label cell, bool is_lowest, double z) {
+  constexpr double root_of_c_mu = 0.3;
+  const double u = stress_[at(columns_.of(cell))].friction_velocity;
+  k_over_bed_[cell] = omega_over_bed_[cell] = -1;
+  if (free_[cell] < 0.5) {
+    k_over_bed_[cell] = 1e-8;
+    omega_over_bed_[cell] = 1000;
+  } else if (is_lowest && u > 0) {
+    k_over_bed_[cell] = u * u / root_of_c_mu;
+    omega_over_bed_[cell] = u / (root_of_c_mu * thalweg::von_karman<double> * z);
+  }
+}
+
 void erodingBed::update_fields() {
   for (label cell = 0; cell < mesh_.nCells(); ++cell) {
     const int column = columns_.of(cell);
@@ -200,6 +220,7 @@ void erodingBed::update_fields() {
     bed_share_[cell] = share;
     free_[cell] = above >= 0 ? 1 : 0;
     const bool lowest = above >= 0 && above < lowest_[at(column)] + 1e-6 * height;
+    set_eddies(cell, lowest, std::max(above, 0.25 * height));
     // The drag grows from 0 where the surface passes the centre to its full value where the cell is full.
     drag_field_[cell] = drag_ * std::max(0.0, 2 * share - 1) + (lowest ? brake_[at(column)] / height : 0.0);
   }

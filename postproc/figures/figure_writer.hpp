@@ -12,6 +12,13 @@
 
 namespace thalweg {
 
+/// Velocity profiles of a mesh model, and the table that holds them.
+struct MeshStations {
+  std::string label;
+  std::filesystem::path table;
+  std::vector<VelocityStation> stations;
+};
+
 /// Writes gnuplot scripts into one folder. Each draws NAME.svg and NAME.png beside itself, from CSV files named by
 /// relative paths. The look of a curve: its colour says which curve it is (Okabe and Ito's colours, safe for
 /// colour-blind readers), its dash or marker says which source it comes from. Every function returns the script's path
@@ -39,9 +46,11 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path levels_at_openings(const std::filesystem::path& table,
                                                          const OpeningRecords& records) const;
 
-  /// Velocity profiles and their logarithmic laws, from a table of write_velocity_stations().
+  /// Velocity profiles and their logarithmic laws, from a table of write_velocity_stations(); those of mesh models beside
+  /// them.
   [[nodiscard]] std::filesystem::path stations(const std::filesystem::path& table,
-                                               const std::vector<VelocityStation>& stations) const;
+                                               const std::vector<VelocityStation>& stations,
+                                               const std::vector<MeshStations>& meshes) const;
 
   /// Particles by kind, speed and pressure, heights not exaggerated (PNG only).
   [[nodiscard]] std::filesystem::path particles(const ParticleTable& table, const PictureFrame& frame,

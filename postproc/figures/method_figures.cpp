@@ -93,19 +93,31 @@ std::optional<fs::path> band_script(const FigureWriter& writer, const fs::path& 
                                                             {"curves", joined_plots(parts)}}));
 }
 
+// True if some coarser run has a distance in a curve, which a logarithmic axis can show.
+bool has_distance(const std::vector<Method>& methods, double MethodRun::*distance) {
+  return std::ranges::any_of(methods, [&](const Method& method) {
+    return std::ranges::any_of(method.runs, [&](const MethodRun& run) { return run.*distance > 0; });
+  });
+}
+
+// Distances of the bed, or of the free surface where there is no bed.
 std::optional<fs::path> cost_script(const FigureWriter& writer, const fs::path& costs,
                                     const std::vector<Method>& methods) {
+  const bool has_bed = has_distance(methods, &MethodRun::error_bed);
+  if (!has_bed && !has_distance(methods, &MethodRun::error_free_surface)) return std::nullopt;
   std::vector<std::string> parts;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (methods[m].runs.size() < 2) continue;
     parts.push_back(
-        fmt::format("{} using (strcol('method') eq {} ? column('cpu [s]') : NaN):(1e3*column('error_bed "
+        fmt::format("{} using (strcol('method') eq {} ? column('cpu [s]') : NaN):(1e3*column('error_{} "
                     "[m]')) with linespoints pt {} ps 1 lw 1.8 lc rgb '{}' title {}",
-                    writer.data(costs), gnuplot_string(methods[m].name), 5 + 2 * (m % 4),
-                    method_colours[m % method_colours.size()], gnuplot_string(methods[m].name)));
+                    writer.data(costs), gnuplot_string(methods[m].name), has_bed ? "bed" : "free_surface",
+                    5 + 2 * (m % 4), method_colours[m % method_colours.size()], gnuplot_string(methods[m].name)));
   }
   if (parts.empty()) return std::nullopt;
-  return writer.write("cost", 490, 300, fill_template(embedded::script_cost, {{"curves", joined_plots(parts)}}));
+  return writer.write("cost", 490, 300,
+                      fill_template(embedded::script_cost,
+                                    {{"title", has_bed ? "bed" : "free surface"}, {"curves", joined_plots(parts)}}));
 }
 
 }  // namespace

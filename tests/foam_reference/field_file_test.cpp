@@ -35,6 +35,20 @@ TEST(FieldFile, ReadsBinaryLists) {
   EXPECT_THAT(read_scalar_field(file), ElementsAre(0.25, -1e-30, 1));
 }
 
+TEST(FieldFile, ReadsVectors) {
+  const TemporaryFolder folder;
+  const auto ascii = folder.write(
+      "U", head("ascii") + "internalField   nonuniform List<vector> \n2\n(\n(0.5 0 1e-3)\n(1 2 3)\n)\n;\n");
+  EXPECT_THAT(read_vector_field(ascii), ElementsAre(Vec3(0.5, 0, 1e-3), Vec3(1, 2, 3)));
+  const double values[] = {0.25, 0, -1};
+  const std::string bytes(reinterpret_cast<const char*>(values), sizeof values);
+  const auto binary =
+      folder.write("V", head("binary") + "internalField   nonuniform List<vector> \n1\n(" + bytes + ")\n;\n");
+  EXPECT_THAT(read_vector_field(binary), ElementsAre(Vec3(0.25, 0, -1)));
+  EXPECT_THAT(read_vector_field(folder.write("W", head("binary") + "internalField   uniform (1 0 -2);\n")),
+              ElementsAre(Vec3(1, 0, -2)));
+}
+
 TEST(FieldFile, ReadsUniformFields) {
   const TemporaryFolder folder;
   EXPECT_THAT(read_scalar_field(folder.write("alpha", head("binary") + "internalField   uniform 0.75;\n")),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "common/io/particle_file.hpp"
 #include "physics/water/log_profile.hpp"
@@ -44,6 +45,21 @@ Case flume() {
   of.model.wall_friction = WallFriction::rough;
   of.shapes.emplace_back().roughness = 1e-3;
   return of;
+}
+
+TEST(VelocityStations, ReadThoseOfAMeshModel) {
+  const TemporaryFolder folder("mesh_stations");
+  const auto file = folder.path() / "stations.csv";
+  EXPECT_TRUE(read_velocity_stations(file).empty());
+  std::ofstream(file) << "place [m],height [m],velocity [m/s],law [m/s],ground [m],depth [m],mean_velocity [m/s],"
+                         "friction_velocity [m/s]\n"
+                         "0.5,0.01,0.3,0.2,0.04,0.02,0.4,0.02\n0.5,0.03,0.5,0.5,0.04,0.02,0.4,0.02\n"
+                         "1,0.01,0.4,0.4,0.04,0.02,0.4,0.02\n";
+  const std::vector<VelocityStation> stations = read_velocity_stations(file);
+  ASSERT_EQ(stations.size(), 2U);
+  EXPECT_EQ(stations[0].velocity, (std::vector{0.3, 0.5}));
+  EXPECT_NEAR(stations[0].deviation, std::sqrt(0.01 / 2) / 0.4, 1e-12);
+  EXPECT_EQ(stations[1].deviation, 0);
 }
 
 TEST(VelocityStations, FindTheLawThatTheWaterHas) {
