@@ -86,6 +86,7 @@ bool make_report(ReportInput& input, bool in_space) {
   input.in_space = in_space;
   input.history = read_history(run.history());
   input.openings = read_openings(input.resolved, run.history());
+  input.scour = read_scour(input.resolved, run.history());
   input.stations = velocity_stations(input.resolved, find_snapshots(run).entries);
   input.timing = read_timing(run.timing());
   input.summary = read_quantities(run.summary());

@@ -84,6 +84,11 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
     if (report_sections::has_levels(input.openings))
       scripts.push_back(writer.levels_at_openings(table, input.openings));
   }
+  if (!input.scour.time.empty()) {
+    const fs::path table = input.run.report() / "data" / "scour.csv";
+    write_scour(table, input.scour);
+    scripts.push_back(writer.scour(table, input.scour.fit.has_reached()));
+  }
   if (!input.stations.empty()) {
     const fs::path table = input.run.report() / "data" / "stations.csv";
     write_velocity_stations(table, input.stations);
@@ -150,9 +155,9 @@ bool write_report(ReportInput& input) {
          << part::which_is_which(input);
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
-         << part::openings(input, pictures) << part::stations(input, pictures) << part::space_time(input, pictures)
-         << part::space_view(space) << part::particles(input, pictures) << part::methods(input, pictures)
-         << part::run_numbers(input) << part::model(input);
+         << part::scour(input, pictures) << part::openings(input, pictures) << part::stations(input, pictures)
+         << part::space_time(input, pictures) << part::space_view(space) << part::particles(input, pictures)
+         << part::methods(input, pictures) << part::run_numbers(input) << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
     page << part::provenance(input) << part::hover(input) << "</body>\n</html>\n";
   });

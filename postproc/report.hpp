@@ -11,6 +11,7 @@
 #include "postproc/method_cost.hpp"
 #include "postproc/opening_records.hpp"
 #include "postproc/run_records.hpp"
+#include "postproc/scour_record.hpp"
 #include "postproc/velocity_stations.hpp"
 
 namespace thalweg {
@@ -51,6 +52,7 @@ struct ReportInput {
   std::vector<std::string> warnings;
   BedHistory bed_history;
   OpeningRecords openings;
+  ScourRecord scour;
   std::vector<VelocityStation> stations;
   bool in_space = false;  // with the 3-D view
 };

@@ -56,6 +56,7 @@ STATISTICS = {
          Key("statistic", "text", "mean, last, largest, smallest, trend (slope per second), drift (trend times the window), change "
                                   "(farthest from the first value); default: last", words=tuple(STATISTICS)),
          *WINDOW,
+         Key("clock", "text", "its column of times [s]; default: time, that of the water (bed_time: that of a bed that is a surface)"),
          Key("less", "number", "is taken from every value"),
          Key("empty", "number", "counts where a cell is empty (dry gauge); default: the row is left out"))
 def column(finished, entry, _):
@@ -63,7 +64,7 @@ def column(finished, entry, _):
     columns = as_list(given["column"])
     points = []
     for number, name in enumerate(columns):
-        series = finished.column(given["file"], name, given.get("empty"))
+        series = finished.column(given["file"], name, given.get("empty"), given.get("clock", "time"))
 
         def sample(time, series=series):
             if time is None:

@@ -47,13 +47,16 @@ class Finished:
             self.fail(f"run {self.run.name} has no {name}; its tables are {', '.join(there)}", "file")
         return read_table(file)
 
-    def column(self, name, column, empty=None):
-        """Values over time, (time [s], value): rows without a value are left out, or count as `empty`."""
+    def column(self, name, column, empty=None, clock="time"):
+        """Values over the times of the column `clock`, (time [s], value): rows without a value are left out, or count as
+        `empty`."""
         rows = self.table(name)
-        if not rows or column not in rows[0] or "time" not in rows[0]:
-            self.fail(f"{name} of run {self.run.name} has no column {column}; "
-                      f"{nearest(column, [key for key in rows[0] if key != 'time'] if rows else ['nothing'])}", "column")
-        found = [(row["time"], row[column] if isinstance(row[column], float) else empty) for row in rows]
+        for wanted, key in ((column, "column"), (clock, "clock")):
+            if rows and wanted in rows[0]:
+                continue
+            self.fail(f"{name} of run {self.run.name} has no column {wanted}; "
+                      f"{nearest(wanted, [known for known in rows[0] if known != 'time'] if rows else ['nothing'])}", key)
+        found = [(row[clock], row[column] if isinstance(row[column], float) else empty) for row in rows]
         return [(time, value) for time, value in found if value is not None]
 
     @functools.cached_property

@@ -19,9 +19,9 @@
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, OpenBoundaries,
-                       WallStress, MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater,
-                       SurfaceBedOfCase>;
+using All =
+    std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, OpenBoundaries,
+               WallStress, MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater, SurfaceBedOfCase>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

@@ -73,9 +73,9 @@ void print_usage(std::ostream& to) {
         "  run CASE        the whole pipeline, from geometry to report\n"
         "  explain [KEY]   unit, default, range and meaning of the keys of a case file\n"
         "  info PATH       what is in a particle file or a run's folder\n"
-         "  formulas CASE   empirical scour formulas for the scene of a case, or for options\n"
-         "  validate [CASE] cases measured against nature: one page with numbers and verdicts\n"
-         "  sweep CASE      a case over a range of keys: table, pictures, convergence\n";
+        "  formulas CASE   empirical scour formulas for the scene of a case, or for options\n"
+        "  validate [CASE] cases measured against nature: one page with numbers and verdicts\n"
+        "  sweep CASE      a case over a range of keys: table, pictures, convergence\n";
   for (const std::string& stage : installed_stages()) {
     if (stage != "validate" && stage != "sweep") to << "  " << stage << " ...\n";
   }

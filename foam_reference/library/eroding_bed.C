@@ -134,7 +134,7 @@ void erodingBed::find_transport() {
     stress_[c] = {};
     if (over_ground > 0) {
       stress_[c] = thalweg::bed_stress(grains_law_, speed, above[column].first(), velocity.x() / over_ground,
-                                             velocity.y() / over_ground);
+                                       velocity.y() / over_ground);
     }
     critical_[c] = thalweg::critical_on_slope(grains_law_, stress_[c], slope_x, slope_y);
     pick_up_[c] = thalweg::pick_up_of(grains_law_, stress_[c], critical_[c]);

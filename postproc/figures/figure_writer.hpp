@@ -46,6 +46,9 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path levels_at_openings(const std::filesystem::path& table,
                                                          const OpeningRecords& records) const;
 
+  /// Depth of the scour against the bed's time, from a table of write_scour().
+  [[nodiscard]] std::filesystem::path scour(const std::filesystem::path& table, bool has_fit) const;
+
   /// Velocity profiles and their logarithmic laws, from a table of write_velocity_stations(); those of mesh models beside
   /// them.
   [[nodiscard]] std::filesystem::path stations(const std::filesystem::path& table,

@@ -35,8 +35,7 @@ template <class Device>
 Census take_census(Device& on, const Particles<Device>& p) {
   const Record* records = p.record.data();
   const Gone gone{records};
-  return on.reduce(p.count, Census{},
-                   declare<Reads<field::place, field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
+  return on.reduce(p.count, Census{}, declare<Reads<field::place, field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
                      if (gone(i)) return Census{};
                      return Census{1, is_wall(records[i]) ? Index{0} : Index{1}};
                    }),

@@ -71,6 +71,8 @@ struct BedReport {
   double left = 0;             // [m^3] and that went out
   double lowest = 0;           // [m] level of its surface
   double highest = 0;          // [m]
+  double scour = 0;            // [m] largest fall of a column since the start
+  double scour_at[2] = {};     // [m] x and y of that column
   std::int64_t steps = 0;      // bed steps
   std::int64_t unsettled = 0;  // of these, under a stress that had not settled
 };

@@ -95,6 +95,7 @@ class BedLayer {
       (axis == 0 ? grid.periodic_x : grid.periodic_y) = true;
     }
     low_ = low;
+    for (int axis = 0; axis < 2; ++axis) laid_.first[axis] = node_[axis] + spacing_ * static_cast<double>(low[axis]);
     grid.nx = static_cast<int>(high[0] - low[0] + 1);
     grid.ny = static_cast<int>(high[1] - low[1] + 1);
     grid.dx = spacing_;

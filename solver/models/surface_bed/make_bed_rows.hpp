@@ -12,6 +12,7 @@ namespace thalweg {
 struct LaidBed {
   GrainColumns columns;
   std::vector<float> rows;
+  double first[2] = {};  // [m] x and y of the middle of the first column
 };
 
 /// Makes columns of the sediment in a filled scene, and rows of wall particles of it. `particles` comes back with the

@@ -65,7 +65,8 @@ class ColumnBed final : public SurfaceBed {
   void begin(LaidBed laid, double time) {
     bed_ = std::move(laid.columns);
     rows_ = std::move(laid.rows);
-    from_ = levels();
+    for (int axis = 0; axis < 2; ++axis) first_[axis] = laid.first[axis];
+    from_ = initial_ = levels();
     shear_.assign(from_.size(), 0);
     gather_from(time);
     last_step_ = std::max(time, settings_.spin_up);
@@ -82,6 +83,7 @@ class ColumnBed final : public SurfaceBed {
     bed_.grid.dx = in.next(), bed_.grid.dy = in.next();
     bed_.grid.periodic_x = in.next() != 0, bed_.grid.periodic_y = in.next() != 0;
     bed_.packing = in.next();
+    first_[0] = in.next(), first_[1] = in.next();
     bed_.fed = in.next(), bed_.left = in.next();
     is_moving_ = in.next() != 0;
     knows_half_ = in.next() != 0;
@@ -100,6 +102,7 @@ class ColumnBed final : public SurfaceBed {
     for (const int end : ends) bed_.end.push_back(static_cast<BedEnd>(end));
     in.array(rows_, columns);
     in.array(from_, columns);
+    in.array(initial_, columns);
     in.array(shear_, columns);
     half_.resize(columns);
     for (ColumnShear& of : half_) of.x = in.next(), of.y = in.next(), of.time = in.next();
@@ -116,6 +119,8 @@ class ColumnBed final : public SurfaceBed {
                                double(bed_.grid.periodic_x),
                                double(bed_.grid.periodic_y),
                                bed_.packing,
+                               first_[0],
+                               first_[1],
                                bed_.fed,
                                bed_.left,
                                double(is_moving_),
@@ -133,7 +138,7 @@ class ColumnBed final : public SurfaceBed {
       for (const auto value : values) out.push_back(static_cast<double>(value));
     };
     add(bed_.area), add(bed_.floor), add(bed_.ceiling), add(bed_.grains), add(bed_.end);
-    add(rows_), add(from_), add(shear_);
+    add(rows_), add(from_), add(initial_), add(shear_);
     for (std::size_t c = 0; c < from_.size(); ++c) {
       const ColumnShear of = c < half_.size() ? half_[c] : ColumnShear{};
       out.insert(out.end(), {of.x, of.y, of.time});
@@ -200,6 +205,12 @@ class ColumnBed final : public SurfaceBed {
       if (!(bed_.area[c] > 0) || !(rows_[c] > spare_rows())) continue;
       found.lowest = std::min(found.lowest, bed_.level(static_cast<int>(c)));
       found.highest = std::max(found.highest, bed_.level(static_cast<int>(c)));
+      const double fall = initial_[c] - bed_.level(static_cast<int>(c));
+      if (!(fall > found.scour)) continue;
+      const auto in_row = static_cast<std::size_t>(bed_.grid.nx);
+      found.scour = fall;
+      found.scour_at[0] = first_[0] + static_cast<double>(c % in_row) * bed_.grid.dx;
+      found.scour_at[1] = bed_.grid.ny == 1 ? 0 : first_[1] + static_cast<double>(c / in_row) * bed_.grid.dy;
     }
     found.steps = steps_;
     found.unsettled = unsettled_;
@@ -208,7 +219,7 @@ class ColumnBed final : public SurfaceBed {
 
  private:
   static constexpr double version_of_numbers = 1;
-  static constexpr std::size_t arrays_of_numbers = 11;  // of one number a column
+  static constexpr std::size_t arrays_of_numbers = 12;  // of one number a column
   /// A window's stress has settled once its two halves differ by less, rms over the bed, of the rms stress [-].
   static constexpr double settled_change = 0.1;
   static constexpr int most_halves_of_window = 4;
@@ -324,6 +335,8 @@ class ColumnBed final : public SurfaceBed {
   double lift_speed_ = 0;     // [m/s] with which the surface moves at most
   GrainColumns bed_;
   std::vector<float> rows_;
+  double first_[2] = {};           // [m] middle of the first column
+  std::vector<double> initial_;    // [m] levels at the start
   std::vector<double> from_;       // [m] levels before the motion
   std::vector<float> shear_;       // [Pa]
   std::vector<ColumnShear> half_;  // means of the window's last half; time: its length [s]

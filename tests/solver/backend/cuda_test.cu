@@ -9,7 +9,8 @@ template <>
 struct Maker<Cuda> {
   template <int Dim>
   static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from, const DeviceScene& of) {
-    return make_simulation({scene, &from, 0, false, of.motions, false, of.openings(), of.surface_bed(from)}, "cuda", "auto");
+    return make_simulation({scene, &from, 0, false, of.motions, false, of.openings(), of.surface_bed(from)}, "cuda",
+                           "auto");
   }
 };
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "case/case.hpp"
+#include "common/equilibrium_fit.hpp"
+
+namespace thalweg {
+
+/// The hole in a bed that is a surface, over the bed's own time: the largest fall of a column since the start.
+struct ScourRecord {
+  std::vector<double> time;   // [s] of the bed, at each bed step
+  std::vector<double> depth;  // [m]
+  double at[2] = {};          // [m] x and y of the deepest place in the end
+  double water_time = 0;      // [s] that the water was computed for
+  double fed = 0;             // [m^3] volume of grains that came in (2-D: [m^2])
+  double left = 0;            // [m^3] and that went out
+  long steps = 0;             // of the bed
+  long unsettled = 0;         // of these, under a stress that had not settled
+  EquilibriumFit fit;
+};
+
+/// Reads it from history.csv; without times for other beds, and before the first bed step. Throws InputError.
+ScourRecord read_scour(const Case& of, const std::filesystem::path& history);
+
+/// Writes time [s], depth [m], and the fitted curve [m] where the equilibrium was reached.
+void write_scour(const std::filesystem::path& file, const ScourRecord& record);
+
+}  // namespace thalweg
