@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "case/models/surface_bed.hpp"
 #include "common/error.hpp"
 #include "foam_reference/openings.hpp"
 
@@ -21,7 +22,8 @@ FoamModel model_of(const std::string& name) {
 
 std::vector<FoamModel> models_of(const Case& scene) {
   if (!scene.has_sediment()) return {FoamModel::stock};
-  if (scene.foam.models.empty() && has_current(scene)) return {FoamModel::eroding_bed};
+  const bool moves_surface = has_current(scene) || models::SurfaceBedOfCase::is_on(scene);
+  if (scene.foam.models.empty() && moves_surface) return {FoamModel::eroding_bed};
   if (scene.foam.models.empty()) return {FoamModel::same_material, FoamModel::eroding_bed};
   std::vector<FoamModel> models;
   for (const std::string& name : scene.foam.models) models.push_back(model_of(name));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "case/models/surface_bed.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "foam_reference/current_block.hpp"
@@ -107,6 +108,14 @@ void check_gravity(const Case& scene) {
                    "negative z component that is its largest");
 }
 
+void check_surface_bed(const Case& scene) {
+  if (!models::SurfaceBedOfCase::is_on(scene) || scene.surface_bed.factor == 1) return;
+  throw InputError(
+      place(scene) +
+      ": the bed's time runs faster than the water's (surface_bed.factor), and the mesh model's bed keeps to "
+      "the water's; give surface_bed.factor = 1 to compare them, or leave the mesh model out (--no-foam)");
+}
+
 void check_resolution(const Case& scene, const MeshPlan& plan) {
   for (const std::size_t axis : {0U, 1U, 2U}) {
     if (plan.faces[2 * axis] == Face::unused || plan.cells[axis] >= 2) continue;
@@ -168,6 +177,7 @@ void count_cells(const Case& scene, MeshPlan& plan) {
 MeshPlan plan_mesh(const Case& scene) {
   const Shape* container = find_container(scene);
   check_gravity(scene);
+  check_surface_bed(scene);
   MeshPlan plan = container != nullptr ? plan_container(scene, *container) : plan_current(scene);
   check_openings(scene, plan);
   plan.has_solids = std::ranges::any_of(scene.shapes, [&](const Shape& shape) {

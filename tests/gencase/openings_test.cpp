@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "tests/gencase/scene.hpp"
 
 // Inlets and outlets in a filled scene: zones are cleared, and what stands in their way is refused.
@@ -37,6 +40,28 @@ TEST(Openings, ClearTheZonesOfInlets) {
     if (generated.particles.type[i] != ParticleType::water) continue;
     EXPECT_GT(generated.particles.position[i].x(), 0);
   }
+}
+
+// Above and below a beam the water starts with one discharge together, not with all of it each.
+TEST(Openings, WaterAboveAndBelowABodyShareTheDischargeAtTheStart) {
+  Case scene = channel();
+  add_box(scene, "beam", ShapeRole::wall, Vec3(0.1, 0, 0.02), Vec3(0.2, 0, 0.05));
+  std::swap(scene.shapes[1], scene.shapes[2]);
+  scene.flow.start = FlowStart::log_law;
+  scene.flow.discharge = 0.04;
+  scene.water.viscosity = 1e-3;
+  const Generated generated = generate(scene);
+  double along = 0;
+  double through = 0;  // of the column over x = 0.155 m, past the beam, and of one before it
+  for (std::size_t i = 0; i < generated.particles.size(); ++i) {
+    if (generated.particles.type[i] != ParticleType::water) continue;
+    const double x = generated.particles.position[i].x();
+    const double carried = double(generated.particles.velocity[i].x()) * 0.01;
+    if (std::abs(x - 0.155) < 0.004) through += carried;
+    if (std::abs(x - 0.055) < 0.004) along += carried;
+  }
+  EXPECT_NEAR(along, 0.04, 0.03 * 0.04);
+  EXPECT_NEAR(through, 0.04, 0.06 * 0.04);
 }
 
 TEST(Openings, RaiseTheSoundSpeedOfFastWater) {
