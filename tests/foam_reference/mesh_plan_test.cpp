@@ -1,7 +1,10 @@
 #include "foam_reference/mesh_plan.hpp"
 
+#include <vector>
+
 #include "common/error.hpp"
 #include "foam_reference/case_files.hpp"
+#include "foam_reference/foam_model.hpp"
 #include "tests/foam_reference/expect_error.hpp"
 #include "tests/foam_reference/small_scene.hpp"
 
@@ -95,6 +98,14 @@ TEST(SceneContents, MeasuresDiscsAndCombinations) {
   scene.shapes.push_back(rest);
   const double exact = 0.4 * 0.1 - std::numbers::pi * 0.04 * 0.04;
   EXPECT_NEAR(measure_contents(scene, plan_mesh(scene)).water_volume, exact, 0.01 * std::numbers::pi * 0.04 * 0.04);
+}
+
+TEST(Refusal, ABedWhoseTimeRunsFasterThanTheWaters) {
+  Case scene = still_tank();
+  scene.model.sediment = SedimentModel::surface;
+  EXPECT_NE(refusal(scene).find("the bed's time runs faster than the water's"), std::string::npos);
+  scene.surface_bed.factor = 1;
+  EXPECT_EQ(models_of(scene), std::vector{FoamModel::eroding_bed});
 }
 
 TEST(Refusal, NoContainer) {
