@@ -278,8 +278,8 @@ std::shared_ptr<Openings> DeviceScene::openings() const {
 
 std::shared_ptr<SurfaceBed> DeviceScene::surface_bed(const ParticleSet& from) const {
   if (before_laying.size() == 0) return nullptr;
-  ParticleSet particles = from.facts.contains(surface_bed_fact) ? from : before_laying;
-  return make_surface_bed(case_of_surface_bed(), particles);
+  ParticleSet start = from.facts.contains(surface_bed_fact) ? from : before_laying;
+  return make_surface_bed(case_of_surface_bed(), start);
 }
 
 Difference difference(const ParticleSet& start, const ParticleSet& a, const ParticleSet& b) {
