@@ -170,7 +170,7 @@ TYPED_TEST(WallStressOf, ALidDragsStillWaterAsAFloorBrakesACurrent) {
   test::uniform_current(particles, 0.8);
   auto current = load_with_elements<TypeParam>(slot.scene, particles);
   const double braked = drag_on_water(current).x();
-  slot.scene.has_moving_walls = scene.walls_move = true;
+  slot.scene.has_moving_walls = slot.scene.walls_move = true;
   auto& number = particles.scalars[motion_array];
   for (std::size_t i = 0; i < particles.size(); ++i) {
     particles.velocity[i].setZero();
@@ -188,7 +188,7 @@ TYPED_TEST(WallStressOf, ALidDragsStillWaterAsAFloorBrakesACurrent) {
 TYPED_TEST(WallStressOf, ATurningWallTakesItsNormalsAlong) {
   Slot slot(1, 2, 0.004);
   ParticleSet particles = slot.fill();
-  slot.scene.has_moving_walls = scene.walls_move = true;
+  slot.scene.has_moving_walls = slot.scene.walls_move = true;
   auto& number = particles.scalars[motion_array];
   for (ParticleType& type : particles.type) {
     if (type == ParticleType::wall) type = ParticleType::moving_wall;

@@ -15,6 +15,7 @@
 #include "solver/models/stages.hpp"
 #include "solver/models/states/model.hpp"
 #include "solver/models/sub_particle/model.hpp"
+#include "solver/models/surface_bed/model.hpp"
 #include "solver/models/suspended_load/model.hpp"
 #include "solver/models/wall_stress/model.hpp"
 #include "tests/template_model/tracer/model.hpp"
@@ -24,8 +25,9 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
-                            SubParticleModel, StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel,
-                            ShiftingModel, MixingLengthModel, CurrentModel, OpeningsModel, TracerModel>;
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, SubParticleModel,
+              StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel, ShiftingModel,
+              MixingLengthModel, CurrentModel, OpeningsModel, SurfaceBedModel, TracerModel>;
 
 }  // namespace thalweg
