@@ -91,6 +91,12 @@ def validate():
     out = given.out.resolve()
     runs = out / "runs"
     planned = [(expected, plan_runs(thalweg, expected, runs, given.full, not given.no_repeats)) for expected in cases]
+    for expected, found in planned:
+        if not found:
+            print(f"{expected.name}: all its runs are long; make them with --full")
+    planned = [(expected, found) for expected, found in planned if found]
+    if not planned:
+        return 0
     prepare(out, given.out, given.resume, given.force)
     rows = []
     for expected, found in planned:
@@ -99,7 +105,7 @@ def validate():
         for row in outcome.rows_of(expected, found):
             rows.append(row)
             print(pages.line(row), flush=True)
-    pages.write(out, planned, rows, given.page, pages.origin(thalweg, cases[0].case))
+    pages.write(out, planned, rows, given.page, pages.origin(thalweg, planned[0][0].case))
     failed = [row for row in rows if row.verdict == outcome.FAIL]
     misfits = [row for row in rows if row.verdict == outcome.MISFIT]
     print(f"{len(rows)} figures: {sum(row.verdict == outcome.PASS for row in rows)} pass, {len(misfits)} known misfits, {len(failed)} fail, "

@@ -87,6 +87,21 @@ class Validate(unittest.TestCase):
         self.assertEqual((soft["verdict"], stiff["verdict"]), ("fail", "pass"))
         self.assertIn("the run failed: ", soft["note"])
 
+    def test_a_case_with_long_runs_only_is_told_and_not_run(self):
+        result = self.validate('[[run]]\nname = "long"\nfull = true\n\n' + level())
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("tank: all its runs are long; make them with --full", result.stdout)
+        self.assertFalse(self.out.exists())
+
+    def test_a_column_over_another_clock(self):
+        # After 40 steps and more some of 0.1 s have passed; after step 1 next to none.
+        entry = level(value=0, limit=0.01, more='file = "history.csv"\nclock = "step"\nat = 1\n')
+        entry = entry.replace('file = "gauges.csv"\n', "", 1).replace('"middle.level"', '"time"').replace('statistic = "mean"\n', "")
+        result = self.validate(entry)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        row, = self.rows()
+        self.assertLess(float(row["computed"]), 0.01)
+
     def test_resume_makes_no_finished_run_again(self):
         self.assertEqual(self.validate(level()).returncode, 0)
         summary = self.out / "runs/tank/as_it_is/summary.csv"
@@ -179,6 +194,9 @@ class WrongInput(unittest.TestCase):
 
     def test_column_that_the_run_does_not_have(self):
         self.refused(level().replace("middle.level", "midle.level"), "expected.toml:4:", "middle.level")
+
+    def test_clock_that_the_run_does_not_have(self):
+        self.refused(level(more='clock = "moon_time"'), "expected.toml:10:", "moon_time")
 
     def test_case_that_is_absent(self):
         error = small_case.error_of(small_case.call(thalweg, "validate", scratch / "nowhere", "--out", scratch / "none"), self)
