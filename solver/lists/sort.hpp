@@ -18,11 +18,14 @@ inline constexpr std::uint64_t gone_section = std::uint64_t{1} << 63;
 inline constexpr int fine_bits = 3;
 
 /// Tells which particles leave the arrays: fluid without volume. A wall without volume stays: it has left the domain and
-/// may come back (models/moving_walls), or lies in the ground under a thin bed (models/surface_bed).
+/// may come back (models/moving_walls), or lies in the ground under a thin bed (models/surface_bed). The type tells them
+/// apart, because fluid that has left the domain is of the kind of walls.
 struct Gone {
   const Record* records;
+  const std::uint8_t* type;
 
-  HOST_DEVICE bool operator()(Index i) const { return records[i].volume == 0 && !is_wall(records[i]); }
+  HOST_DEVICE bool operator()(Index i) const { return records[i].volume == 0 && type[i] >= first_fluid_type; }
+  static constexpr std::uint8_t first_fluid_type = 2;  // ParticleType::water
 };
 
 /// Counts of the particles that stay, and of the fluid among them.
@@ -34,8 +37,9 @@ struct Census {
 template <class Device>
 Census take_census(Device& on, const Particles<Device>& p) {
   const Record* records = p.record.data();
-  const Gone gone{records};
-  return on.reduce(p.count, Census{}, declare<Reads<field::place, field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
+  const Gone gone{records, p.type.data()};
+  return on.reduce(p.count, Census{},
+                   declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
                      if (gone(i)) return Census{};
                      return Census{1, is_wall(records[i]) ? Index{0} : Index{1}};
                    }),
@@ -88,10 +92,10 @@ typename Device::template Buffer<Index> hilbert_order(Device& on, const Particle
   keys.resize(n);
   order.resize(n);
   const HilbertKey<Dim> key(p.record.data(), scene.lattice);
-  const Gone gone{p.record.data()};
+  const Gone gone{p.record.data(), p.type.data()};
   std::uint64_t* k = keys.data();
   Index* o = order.data();
-  on.for_each(n, declare<Reads<field::place, field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
+  on.for_each(n, declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
                 k[i] = gone(i) ? key(i) | gone_section : key(i);
                 o[i] = i;
               }));

@@ -202,7 +202,7 @@ class ColumnBed final : public SurfaceBed {
     found.lowest = std::numeric_limits<double>::infinity();
     found.highest = -found.lowest;
     for (std::size_t c = 0; c < from_.size(); ++c) {
-      if (!(bed_.area[c] > 0) || !(rows_[c] > spare_rows())) continue;
+      if (!(bed_.area[c] > 0) || !(initial_[c] > bed_.floor[c])) continue;  // a floor that was bare from the start
       found.lowest = std::min(found.lowest, bed_.level(static_cast<int>(c)));
       found.highest = std::max(found.highest, bed_.level(static_cast<int>(c)));
       const double fall = initial_[c] - bed_.level(static_cast<int>(c));
@@ -223,21 +223,6 @@ class ColumnBed final : public SurfaceBed {
   /// A window's stress has settled once its two halves differ by less, rms over the bed, of the rms stress [-].
   static constexpr double settled_change = 0.1;
   static constexpr int most_halves_of_window = 4;
-
-  /// Rows that every column has beside its sediment: the fewest of any.
-  [[nodiscard]] float spare_rows() const {
-    float least = std::numeric_limits<float>::infinity();
-    for (std::size_t c = 0; c < rows_.size(); ++c) {
-      if (bed_.area[c] > 0) least = std::min(least, rows_[c]);
-    }
-    return has_bare_columns() ? least : 0;
-  }
-  [[nodiscard]] bool has_bare_columns() const {
-    for (std::size_t c = 0; c < rows_.size(); ++c) {
-      if (bed_.area[c] > 0 && !(bed_.grains[c] > 0)) return true;
-    }
-    return false;
-  }
 
   [[nodiscard]] std::vector<double> levels() const {
     std::vector<double> out;

@@ -15,7 +15,7 @@ std::vector<DeviceScene> resident_scenes() {
   std::erase_if(scenes, [](const DeviceScene& s) {
     return std::visit(
         [](const auto& scene) {
-          return scene.has_moving_walls || scene.sediment.effective_pressure == EffectivePressure::laplace;
+          return scene.walls_move || scene.sediment.effective_pressure == EffectivePressure::laplace;
         },
         s.scene);
   });
