@@ -95,6 +95,7 @@ class Run {
     if (!last.empty()) exclude(last);
     write_checkpoint();
     finish();
+    warn_of_slow_bed();
     return Exit::done;
   }
 
@@ -193,6 +194,17 @@ class Run {
           report.pressure_sweeps, clock_.time);
       told_of_sweeps_ = true;
     }
+  }
+
+  /// A bed that is a surface may change so fast that the windows of its stress take longer.
+  void warn_of_slow_bed() const {
+    const auto bed = simulation_->bed();
+    const double water_time = clock_.time - case_.surface_bed.spin_up;
+    if (!bed || bed->steps == 0 || bed->time >= 0.9 * water_time) return;
+    spdlog::warn(
+        "the bed's time came to {:.3g} s while the water's ran {:.3g} s: the bed changes faster than its stress can be "
+        "averaged; for scour within seconds write sediment = \"three-state\"",
+        bed->time, water_time);
   }
 
   void write_snapshot() {
