@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/host_device.hpp"
 #include "solver/models/wall_stress/arrays.hpp"
 #include "solver/state/arrays.hpp"
 #include "solver/state/field.hpp"

@@ -118,6 +118,14 @@ class BedLayer {
     return static_cast<int>(j * grid.nx + i);
   }
 
+  /// The middle of a column over the ground [m]; y = 0 in the plane.
+  [[nodiscard]] Vec3 middle_of(int column) const {
+    const int row = column / laid_.columns.grid.nx;
+    const auto i = static_cast<double>(low_[0] + column % laid_.columns.grid.nx);
+    const auto j = static_cast<double>(low_[1] + row);
+    return {node_.x() + spacing_ * i, in_space_ ? node_.y() + spacing_ * j : 0, 0};
+  }
+
   void lay_column(const Site& site, const Stack& stack) {
     const auto c = static_cast<std::size_t>(column_of(site));
     GrainColumns& bed = laid_.columns;
@@ -174,9 +182,7 @@ class BedLayer {
     if (std::abs(axes.flow[axis]) < 0.9) return;  // straight down or up, or across the lattice: no end of the bed
     const BedGrid& grid = laid_.columns.grid;
     for (int c = 0; c < grid.columns(); ++c) {
-      Vec3 at = node_ + spacing_ * Vec3(static_cast<double>(low_[0] + c % grid.nx),
-                                        in_space_ ? static_cast<double>(low_[1] + c / grid.nx) : 0, 0);
-      const Vec3 way = at - opening.at;
+      const Vec3 way = middle_of(c) - opening.at;
       const double along = way.dot(axes.flow) * (is_outlet ? -1 : 1);  // from the plane into the scene
       const bool in_width =
           !in_space_ || std::abs(way.dot(axes.across)) < 0.5 * opening.extent_across(case_.info.dimension);
@@ -226,12 +232,9 @@ class BedLayer {
       numbers.insert(numbers.end(), {double(places[n].column), double(places[n].row), 0.0, double(places[n].is_floor)});
       if (n < others) continue;
       const auto c = static_cast<std::size_t>(places[n].column);
-      const BedGrid& grid = laid_.columns.grid;
       const double level = laid_.columns.level(static_cast<int>(c));
       out.type[n] = ParticleType::sediment;
-      out.position[n] = node_ + spacing_ * Vec3(static_cast<double>(low_[0] + static_cast<long long>(c) % grid.nx),
-                                                static_cast<double>(low_[1] + static_cast<long long>(c) / grid.nx), 0);
-      if (!in_space_) out.position[n].y() = 0;
+      out.position[n] = middle_of(static_cast<int>(c));
       const double z = level - (double(places[n].row) + 0.5) * spacing_;
       out.position[n].z() = std::max(z, laid_.columns.floor[c] - 0.5 * spacing_);
       if (sources[n] == from_.size()) out.id[n] = next_id++;

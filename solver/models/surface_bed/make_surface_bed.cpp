@@ -208,9 +208,10 @@ class ColumnBed final : public SurfaceBed {
       const double fall = initial_[c] - bed_.level(static_cast<int>(c));
       if (!(fall > found.scour)) continue;
       const auto in_row = static_cast<std::size_t>(bed_.grid.nx);
+      const std::size_t row = c / in_row;
       found.scour = fall;
       found.scour_at[0] = first_[0] + static_cast<double>(c % in_row) * bed_.grid.dx;
-      found.scour_at[1] = bed_.grid.ny == 1 ? 0 : first_[1] + static_cast<double>(c / in_row) * bed_.grid.dy;
+      found.scour_at[1] = bed_.grid.ny == 1 ? 0 : first_[1] + static_cast<double>(row) * bed_.grid.dy;
     }
     found.steps = steps_;
     found.unsettled = unsettled_;
