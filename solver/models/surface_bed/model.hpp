@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "common/error.hpp"
+#include "common/particles.hpp"
 #include "solver/backend/buffer.hpp"
 #include "solver/models/surface_bed/arrays.hpp"
 #include "solver/models/surface_bed/passes.hpp"
