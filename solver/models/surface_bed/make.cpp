@@ -1,9 +1,8 @@
-#include <cmath>
-
+#include "solver/models/make.hpp"
 #include "case/models/driven_flow.hpp"
 #include "case/models/surface_bed.hpp"
 #include "solver/models/all.hpp"
-#include "solver/models/make.hpp"
+#include "solver/models/surface_bed/make_bed_rows.hpp"
 
 namespace thalweg {
 
@@ -13,7 +12,7 @@ void SurfaceBedModel::make(const SceneSource& from, Scene<Dim>& scene) {
   if (!scene.surface_bed.on) return;
   scene.surface_bed.roughness = static_cast<float>(roughness_of_current(from.of));
   scene.surface_bed.density = scene.water_density;
-  scene.surface_bed.rows_in_reach = static_cast<int>(std::ceil(2 * scene.smoothing_length / scene.spacing)) + 1;
+  scene.surface_bed.rows_in_reach = rows_in_reach(scene.smoothing_length, scene.spacing);
   scene.walls_move = true;
   scene.keeps_wall_shear = true;
 }

@@ -199,7 +199,7 @@ class BedLayer {
   /// above; further rows get new ones.
   void make_particles() {
     join_walls();
-    const int spare = static_cast<int>(std::ceil(2 * case_.smoothing_length() / spacing_)) + 1;
+    const int spare = rows_in_reach(case_.smoothing_length(), spacing_);
     ParticleSet out;
     out.info = from_.info;
     out.facts = from_.facts;
@@ -290,6 +290,10 @@ class BedLayer {
 };
 
 }  // namespace
+
+int rows_in_reach(double smoothing_length, double spacing) {
+  return static_cast<int>(std::ceil(2 * smoothing_length / spacing)) + 1;
+}
 
 LaidBed lay_bed(const Case& of, ParticleSet& particles) { return BedLayer(of, particles).lay(); }
 

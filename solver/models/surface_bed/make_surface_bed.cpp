@@ -164,7 +164,6 @@ class ColumnBed final : public SurfaceBed {
 
   void take(const std::vector<ColumnShear>& sums, double time) override {
     if (time <= settings_.spin_up) {
-      knows_half_ = false;
       gather_from(time);
       return;
     }
