@@ -4,6 +4,7 @@
 
 #include "case/case.hpp"
 #include "case/models/mixture.hpp"
+#include "case/models/tilted_gravity.hpp"
 #include "physics/water/viscosity_switch.hpp"
 
 namespace thalweg {
@@ -29,11 +30,6 @@ bool is_not_periodic(const Case& c) {
          std::find(c.domain.periodic.begin(), c.domain.periodic.end(), c.flow.along) == c.domain.periodic.end();
 }
 
-bool is_tilted(const Case& c) {
-  const Vec3& g = c.domain.gravity;
-  return !(g.z() < 0 && g.x() == 0 && g.y() == 0);
-}
-
 bool has_no_water(const Case& c) {
   return std::none_of(c.shapes.begin(), c.shapes.end(), [](const Shape& s) { return s.role == ShapeRole::water; });
 }
@@ -54,7 +50,7 @@ bool DrivenFlow::is_on(const Case& whole) { return whole.flow.drive != Drive::of
 std::vector<Rule> DrivenFlow::rules() {
   return {{is_not_periodic, "flow.along", "the flow goes along a direction in which the domain does not repeat itself",
            "name the direction in domain.periodic"},
-          {is_tilted, "flow.drive", "a driven flow needs gravity straight down, along -z",
+          {has_tilted_gravity, "flow.drive", "a driven flow needs gravity straight down, along -z",
            "write gravity = [0, -9.81] (in space [0, 0, -9.81]) m/s^2, and give the tilt as flow.slope"},
           {has_no_water, "flow.drive", "no shape of the scene is water, and the drive acts on water",
            "give a shape the role \"water\", or remove [flow]"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "case/case.hpp"
+#include "case/models/tilted_gravity.hpp"
 #include "case/models/wall_friction.hpp"
 
 namespace thalweg::models {
@@ -34,11 +35,7 @@ bool SurfaceBedOfCase::is_on(const Case& whole) {
 }
 
 std::vector<Rule> SurfaceBedOfCase::rules() {
-  return {{[](const Case& c) {
-             const Vec3& g = c.domain.gravity;
-             return !(g.z() < 0 && g.x() == 0 && g.y() == 0);
-           },
-           "domain.gravity", "sediment = \"surface\" is a bed of columns along z",
+  return {{has_tilted_gravity, "domain.gravity", "sediment = \"surface\" is a bed of columns along z",
            "let gravity point along -z, or write sediment = \"three-state\""},
           {has_no_water, "model.sediment", "sediment = \"surface\" needs water, whose shear stress moves the grains",
            "give a shape the role \"water\""},

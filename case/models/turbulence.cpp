@@ -1,6 +1,7 @@
 #include "case/models/turbulence.hpp"
 
 #include "case/case.hpp"
+#include "case/models/tilted_gravity.hpp"
 
 namespace thalweg::models {
 
@@ -16,17 +17,14 @@ bool MixingLength::is_on(const Case& whole) {
 }
 
 std::vector<Rule> MixingLength::rules() {
-  return {{Mixture::is_on, "model.turbulence", "water in the pores of a mixture has no mixing length",
-           "write turbulence = \"off\""},
-          {[](const Case& c) { return !WallStress::is_on(c); }, "model.turbulence",
-           "turbulence = \"mixing-length\" needs walls that brake the flow by the law of the wall",
-           "write wall_friction = \"smooth\" or \"rough\", or turbulence = \"off\""},
-          {[](const Case& c) {
-             const Vec3& g = c.domain.gravity;
-             return !(g.z() < 0 && g.x() == 0 && g.y() == 0);
-           },
-           "model.turbulence", "turbulence = \"mixing-length\" measures the depth of the water along z",
-           "let gravity point along -z, or write turbulence = \"off\""}};
+  return {
+      {Mixture::is_on, "model.turbulence", "water in the pores of a mixture has no mixing length",
+       "write turbulence = \"off\""},
+      {[](const Case& c) { return !WallStress::is_on(c); }, "model.turbulence",
+       "turbulence = \"mixing-length\" needs walls that brake the flow by the law of the wall",
+       "write wall_friction = \"smooth\" or \"rough\", or turbulence = \"off\""},
+      {has_tilted_gravity, "model.turbulence", "turbulence = \"mixing-length\" measures the depth of the water along z",
+       "let gravity point along -z, or write turbulence = \"off\""}};
 }
 
 bool SubParticleStress::is_on(const Case& whole) {

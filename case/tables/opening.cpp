@@ -8,6 +8,7 @@
 
 #include "case/case.hpp"
 #include "case/models/openings.hpp"
+#include "case/models/tilted_gravity.hpp"
 #include "case/tables/common_checks.hpp"
 #include "common/units.hpp"
 
@@ -125,8 +126,7 @@ void Opening::check_times(const CheckContext& at_table, const std::string& colum
 }
 
 void Opening::check_levels(const Case& whole, const CheckContext& at_table) const {
-  const Vec3& g = whole.domain.gravity;
-  if (!(g.z() < 0 && g.x() == 0 && g.y() == 0)) {
+  if (has_tilted_gravity(whole)) {
     at_table.reject(at_table.key("level"),
                     at_table.path() + " has a level, which needs gravity straight down, along -z",
                     "let gravity point along -z");
