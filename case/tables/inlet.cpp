@@ -83,8 +83,13 @@ void check_grains(const Inlet& inlet, const Case& whole, const CheckContext& at)
     at.reject(at.key("grains"), at.path() + " brings grains without a concentration",
               "give concentration, or write grains = \"none\"");
   }
-  if (inlet.grains != InletGrains::rouse) return;
-  if (!(inlet.reference_height > 0) || inlet.reference_height >= inlet.extent_up()) {
+  if (inlet.grains == InletGrains::equilibrium && !whole.has_sediment()) {
+    at.reject(at.key("grains"), at.path() + " brings as many grains as a bed holds, and the case has no sediment",
+              "give a shape the role \"sediment\", or write grains = \"rouse\" with a concentration");
+  }
+  if (inlet.grains != InletGrains::rouse && inlet.grains != InletGrains::equilibrium) return;
+  if (inlet.grains == InletGrains::rouse &&
+      (!(inlet.reference_height > 0) || inlet.reference_height >= inlet.extent_up())) {
     at.reject(at.key("grains"), at.path() + " has Rouse's profile without a reference_height inside the opening",
               "give reference_height, such as a twentieth of the depth");
   }
@@ -222,6 +227,7 @@ double Inlet::concentration_at(double height_over_edge, double depth, double mea
                                double settling_velocity) const {
   switch (grains) {
     case InletGrains::none:
+    case InletGrains::equilibrium:
     case InletGrains::recirculated:
       return 0;
     case InletGrains::uniform:

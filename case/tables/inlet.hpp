@@ -30,13 +30,15 @@ inline constexpr std::array<Choice<InletProfile>, 3> choices(InletProfile) {
 }
 
 /// The words of inlet.grains.
-enum class InletGrains { none, uniform, rouse, recirculated };
+enum class InletGrains { none, uniform, rouse, equilibrium, recirculated };
 
-inline constexpr std::array<Choice<InletGrains>, 4> choices(InletGrains) {
+inline constexpr std::array<Choice<InletGrains>, 5> choices(InletGrains) {
   return {{{InletGrains::none, "none", "the water is clear"},
            {InletGrains::uniform, "uniform", "it carries the same `concentration` everywhere"},
            {InletGrains::rouse, "rouse",
             "Rouse's profile over the opening's lower edge, with `concentration` at `reference_height`"},
+           {InletGrains::equilibrium, "equilibrium",
+            "Rouse's profile with as many as a bed of the case's sediment holds in suspension under this current"},
            {InletGrains::recirculated, "recirculated", "it brings the grains back that water has taken out"}}};
 }
 
@@ -99,7 +101,7 @@ struct Inlet : Opening {
   /// Relative speed at a height over the lower edge [m] under water of a depth [m] that flows with a mean velocity
   /// [m/s]; viscosity [m^2/s].
   [[nodiscard]] double shape_at(double height, double depth, double mean_velocity, double viscosity) const;
-  /// Volume share of the grains there; settling velocity of one grain [m/s]. Not of those that come back.
+  /// Volume share of the grains there; settling velocity of one grain [m/s]. Not of those that come back, nor of a bed in equilibrium.
   [[nodiscard]] double concentration_at(double height, double depth, double mean_velocity, double viscosity,
                                         double settling_velocity) const;
 };

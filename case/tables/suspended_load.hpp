@@ -9,7 +9,8 @@ namespace thalweg {
 
 /// [suspended_load]: grains that the water carries.
 struct SuspendedLoad {
-  static constexpr TableHeading heading{"suspended_load", "Grains that the water carries (three-state sediment)."};
+  static constexpr TableHeading heading{
+      "suspended_load", "Grains that the water carries (three-state sediment, or a bed that is a surface)."};
 
   CarriedBy carried_by = CarriedBy::parcels;
   PickUp pick_up = PickUp::van_rijn;

@@ -17,12 +17,13 @@ struct BedAdvance {
 };
 
 /// Moves a bed by bed load and avalanches under stresses that stay as they are, one a column, for `duration` [s] or until
-/// a level has changed by `most_change` [m] (Exner: (1 - n) dz/dt = -div q).
+/// a level has changed by `most_change` [m] (Exner: (1 - n) dz/dt = -div q + settling). `settling` [m^3/s]: grains that
+/// settle on each column, less those that rise; empty: none.
 ///
 /// The step is such that no level changes by more than a fiftieth of a column's width, and that what a slope does to the
 /// bed load, a diffusion with at most D = 3 q/(1 - n), is stable: D dt/dx^2 <= 1/8. Grains are conserved to rounding.
 inline BedAdvance advance_bed(GrainColumns& bed, const Grains& of, const std::vector<BedStress>& stress,
-                              double duration, double most_change) {
+                              const std::vector<double>& settling, double duration, double most_change) {
   const auto columns = static_cast<std::size_t>(bed.grid.columns());
   const double width = bed.grid.ny > 1 ? std::min(bed.grid.dx, bed.grid.dy) : bed.grid.dx;
   std::vector<double> start(columns);
@@ -33,9 +34,11 @@ inline BedAdvance advance_bed(GrainColumns& bed, const Grains& of, const std::ve
   BedAdvance done;
   while (done.time < duration && done.largest_change < most_change) {
     const std::vector<BedPassage> passages = find_passages(bed, sent);
-    if (passages.empty() && avalanche(bed, of.tan_friction)) done.time = duration;
     std::vector<double> rate(columns, 0.0);  // [m^3/s] of grains
-    double largest_sent = 0;                 // [m^3/s]
+    for (std::size_t c = 0; c < settling.size(); ++c) rate[c] = settling_on(bed, settling, static_cast<int>(c));
+    const bool at_rest = passages.empty() && std::all_of(rate.begin(), rate.end(), [](double r) { return r == 0; });
+    if (at_rest && avalanche(bed, of.tan_friction)) done.time = duration;
+    double largest_sent = 0;  // [m^3/s]
     for (const BedPassage& passage : passages) {
       rate[GrainColumns::at(passage.from)] -= passage.rate;
       if (passage.to >= 0) rate[GrainColumns::at(passage.to)] += passage.rate;
@@ -50,6 +53,7 @@ inline BedAdvance advance_bed(GrainColumns& bed, const Grains& of, const std::ve
     if (fastest > 0) dt = std::min({dt, width / 50 / fastest, (left + most_change / 50) / fastest});
     const double across = bed.grid.ny > 1 ? width : bed.grid.dy;
     if (largest_sent > 0) dt = std::min(dt, width * width * bed.packing / (8 * 3 * largest_sent / across));
+    settle_grains(bed, settling, dt);
     move_grains(bed, passages, dt);
     avalanche(bed, of.tan_friction);
     done.time += dt;

@@ -56,6 +56,7 @@ struct GrainColumns {
   std::vector<BedEnd> end;      // of each column; empty: all closed
   double fed = 0;               // [m^3] volume of grains that came in at the ends
   double left = 0;              // [m^3] and that went out
+  double lifted = 0;            // [m^3] and that the water took, less those that settled
 
   /// Elevation of the bed's surface [m].
   [[nodiscard]] double level(int column) const {

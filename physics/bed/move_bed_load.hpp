@@ -60,6 +60,26 @@ inline void move_grains(GrainColumns& bed, const std::vector<BedPassage>& passag
   }
 }
 
+/// Grains [m^3/s] that settle on a column out of the water, or rise from it if negative: `settling` but for columns that
+/// keep what they have at a fed end, are solid, have no grains to give or no room for more.
+inline double settling_on(const GrainColumns& bed, const std::vector<double>& settling, int column) {
+  const std::size_t c = GrainColumns::at(column);
+  if (settling.empty() || !(bed.area[c] > 0) || bed.end_at(column) == BedEnd::fed) return 0;
+  const bool can = settling[c] < 0 ? bed.grains[c] > 0 : bed.room(column) > 0;
+  return can ? settling[c] : 0;
+}
+
+/// Lets grains settle and rise for dt [s]. No column gives more than it has, nor takes more than it has room for.
+inline void settle_grains(GrainColumns& bed, const std::vector<double>& settling, double dt) {
+  for (std::size_t c = 0; c < settling.size(); ++c) {
+    const int column = static_cast<int>(c);
+    const double asked = settling_on(bed, settling, column) * dt;
+    const double gain = std::max(-bed.grains[c], std::min(asked, bed.room(column)));
+    bed.grains[c] += gain;
+    bed.lifted -= gain;
+  }
+}
+
 /// Moves grains by the bed load for dt [s].
 template <class Sent>
 void move_bed_load(GrainColumns& bed, const Sent& sent, double dt) {

@@ -30,8 +30,8 @@ constexpr const char* history_of_opening = ",{0}_water [kg],{0}_sediment [kg],{0
 constexpr const char* history_of_grains = ",{0}_grains [kg]";
 /// Of a bed that is a surface.
 constexpr const char* history_of_bed =
-    ",bed_time [s],bed_factor [-],bed_grains [m^3],bed_fed [m^3],bed_left [m^3],bed_lowest [m],bed_highest [m],"
-    "bed_scour [m],bed_scour_x [m],bed_scour_y [m],bed_steps [-],bed_unsettled [-]";
+    ",bed_time [s],bed_factor [-],bed_grains [m^3],bed_fed [m^3],bed_left [m^3],bed_lifted [m^3],bed_lowest [m],"
+    "bed_highest [m],bed_scour [m],bed_scour_x [m],bed_scour_y [m],bed_steps [-],bed_unsettled [-]";
 constexpr const char* excluded_header =
     "time [s],id [-],type [-],x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]";
 
@@ -134,9 +134,9 @@ void RunOutput::history(const Totals& t, const MassLedger& ledger, const std::ve
     if (columns_.grains) row += fmt::format(",{:.9g}", opening.grains);
   }
   if (bed) {
-    row += fmt::format(",{:.9g},{:.6g},{:.12g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{},{}", bed->time,
-                       bed->factor, bed->grains, bed->fed, bed->left, bed->lowest, bed->highest, bed->scour,
-                       bed->scour_at[0], bed->scour_at[1], bed->steps, bed->unsettled);
+    row += fmt::format(",{:.9g},{:.6g},{:.12g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{},{}",
+                       bed->time, bed->factor, bed->grains, bed->fed, bed->left, bed->lifted, bed->lowest, bed->highest,
+                       bed->scour, bed->scour_at[0], bed->scour_at[1], bed->steps, bed->unsettled);
   }
   lock_.require_folder();
   history_->add(row);

@@ -104,8 +104,8 @@ void make_flow(const Case& from, const ParticleSet& particles, double sound_spee
   s.acoustic_damping = static_cast<float>(n.acoustic_damper * sound_speed * h);
   s.cfl = n.cfl;
   const bool is_fluid = !models::SurfaceBedOfCase::is_on(from);  // else the bed's particles are walls
-  s.has_sediment = (is_fluid && count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0) ||
-                   models::SuspendedLoadOfWater::is_on(from);
+  s.has_sediment = is_fluid && (count_by_type(particles)[static_cast<std::size_t>(ParticleType::sediment)] > 0 ||
+                                models::SuspendedLoadOfWater::is_on(from));
 }
 
 template <int Dim>

@@ -69,6 +69,7 @@ struct BedReport {
   double grains = 0;           // [m^3] volume of the bed's grains
   double fed = 0;              // [m^3] that came in at its ends
   double left = 0;             // [m^3] and that went out
+  double lifted = 0;           // [m^3] and that the water took, less those that settled
   double lowest = 0;           // [m] level of its surface
   double highest = 0;          // [m]
   double scour = 0;            // [m] largest fall of a column since the start

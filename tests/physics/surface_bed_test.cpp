@@ -123,7 +123,7 @@ double celerity_error(double amplitude, double dx) {
     for (int c = 0; c < bed.grid.columns(); ++c) {
       stress[GrainColumns::at(c)] = bed_stress_of(of, friction_velocity_at(of, shields_at(bed.level(c) - flat)), 1, 0);
     }
-    time += advance_bed(bed, of, stress, 300 - time, 0.02 * dx).time;
+    time += advance_bed(bed, of, stress, {}, 300 - time, 0.02 * dx).time;
   }
   EXPECT_NEAR(bed.total(), before, 1e-9 * before);
   // The middle of a bump of any height moves with the mean of (q(z) - q(0))/(1 - n) over that of z.
@@ -148,6 +148,42 @@ TEST(SurfaceBed, ATrenchMovesAsTheKinematicWave) {
   EXPECT_NEAR(celerity_error(-0.005, 0.01), 0, 0.05);
 }
 
+// Grains that settle raise the bed by their volume over its packing; those that rise lower it, down to the ground.
+TEST(SurfaceBed, SettlingRaisesTheBedAndRisingLowersIt) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(10, 1, 0.01, of, 0.05);
+  const std::vector<BedStress> still(10);
+  std::vector<double> settling(10, 6e-6 * 0.01);  // [m^3/s], 6 um/s
+  settling[4] = -1e-4 * 0.01;
+  const double before = bed.total();
+  BedAdvance done = advance_bed(bed, of, still, settling, 100, 1);
+  EXPECT_DOUBLE_EQ(done.time, 100);
+  EXPECT_NEAR(bed.level(0), 0.051, 1e-12);
+  EXPECT_NEAR(bed.level(4), 0.05 - 1e-2 / 0.6, 0.011);  // its slopes slide
+  EXPECT_NEAR(bed.total() + bed.lifted, before, 1e-12 * before);
+  settling.assign(10, -1e-3 * 0.01);
+  done = advance_bed(bed, of, still, settling, 100, 1);
+  EXPECT_DOUBLE_EQ(done.time, 100);
+  for (int c = 0; c < 10; ++c) EXPECT_NEAR(bed.level(c), 0, 1e-15);
+  EXPECT_NEAR(bed.lifted, before, 1e-12 * before);
+}
+
+// A column at a fed end keeps its level, and one below a body takes no more than it has room for.
+TEST(SurfaceBed, SettlingStopsAtFedEndsAndBelowBodies) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(10, 1, 0.01, of, 0.05);
+  bed.end.assign(10, BedEnd::closed);
+  bed.end.front() = BedEnd::fed;
+  bed.ceiling.assign(10, INFINITY);
+  bed.ceiling.back() = 0.0505;
+  const double before = bed.total();
+  advance_bed(bed, of, std::vector<BedStress>(10), std::vector<double>(10, 6e-6 * 0.01), 100, 1);
+  EXPECT_NEAR(bed.level(0), 0.05, 1e-15);
+  EXPECT_NEAR(bed.level(9), 0.0505, 1e-15);
+  EXPECT_NEAR(bed.level(5), 0.051, 1e-12);
+  EXPECT_NEAR(bed.total() + bed.lifted, before, 1e-12 * before);
+}
+
 // Under one stress everywhere a bed between a fed and an open end stays as it is, and what leaves is the law's.
 TEST(SurfaceBed, UniformTransportLeavesTheBedAlone) {
   const Grains of = sand();
@@ -157,7 +193,7 @@ TEST(SurfaceBed, UniformTransportLeavesTheBedAlone) {
   bed.end.back() = BedEnd::forth_x;
   const std::vector<BedStress> stress(40, bed_stress_of(of, friction_velocity_at(of, 0.15), 1, 0));
   const double before = bed.total();
-  const BedAdvance done = advance_bed(bed, of, stress, 100, 1);
+  const BedAdvance done = advance_bed(bed, of, stress, {}, 100, 1);
   EXPECT_DOUBLE_EQ(done.time, 100);
   for (int c = 0; c < 40; ++c) EXPECT_NEAR(bed.level(c), 0.05, 1e-12);
   EXPECT_NEAR(bed.left / 100, bed_load_at(of, 0.15), 1e-9 * bed_load_at(of, 0.15));
@@ -169,7 +205,7 @@ TEST(SurfaceBed, BelowThresholdNothingMovesAtAll) {
   GrainColumns bed = bed_of(20, 5, 0.01, of, 0.05);
   const std::vector<double> before = bed.grains;
   const std::vector<BedStress> stress(100, bed_stress_of(of, friction_velocity_at(of, 0.046), 1, 0));
-  EXPECT_DOUBLE_EQ(advance_bed(bed, of, stress, 1e5, 0.1).time, 1e5);
+  EXPECT_DOUBLE_EQ(advance_bed(bed, of, stress, {}, 1e5, 0.1).time, 1e5);
   EXPECT_EQ(bed.grains, before);
 }
 
@@ -182,7 +218,7 @@ TEST(SurfaceBed, ClearWaterScoursBehindAFixedFloor) {
     bed.grains[c] = 0;
   }
   std::vector<BedStress> stress(40, bed_stress_of(of, friction_velocity_at(of, 0.15), 1, 0));
-  const BedAdvance done = advance_bed(bed, of, stress, 1e4, 0.0005);
+  const BedAdvance done = advance_bed(bed, of, stress, {}, 1e4, 0.0005);
   EXPECT_NEAR(done.largest_change, 0.0005, 5e-5);
   const double expected = bed_load_at(of, 0.15) / (1 - of.porosity) / 0.01 * done.time;
   EXPECT_NEAR(0.05 - bed.level(10), expected, 0.12 * expected);  // the slope towards the hole speeds it up
@@ -199,7 +235,7 @@ TEST(SurfaceBed, ABedStopsBelowABody) {
     stress[GrainColumns::at(c)] = bed_stress_of(of, friction_velocity_at(of, c <= 15 ? 0.2 : 0.02), 1, 0);
   }
   const double before = bed.total();
-  advance_bed(bed, of, stress, 1e3, 1);
+  advance_bed(bed, of, stress, {}, 1e3, 1);
   EXPECT_LE(bed.level(15), 0.052 + 1e-12);
   EXPECT_NEAR(bed.total(), before, 1e-9 * before);
 }

@@ -5,10 +5,13 @@
 #include <optional>
 #include <utility>
 
+#include "case/models/grains.hpp"
 #include "case/models/openings.hpp"
 #include "case/models/suspended_load.hpp"
 #include "physics/transport/lift_settling.hpp"
+#include "physics/transport/rouse.hpp"
 #include "physics/water/equation_of_state.hpp"
+#include "physics/water/log_profile.hpp"
 
 namespace thalweg {
 namespace {
@@ -69,11 +72,10 @@ class OpeningsOfCase final : public Openings {
         layers_(static_cast<int>(std::floor(zone_length(of) / of.numerics.spacing))),
         outlets_(of.outlets) {
     if (models::SuspendedLoadOfWater::is_on(of)) {
-      const SedimentParameters& grain = of.sediment();
-      grain_density_ = grain.grain_density;
-      const double size = dimensionless_diameter(grain.grain_diameter, grain.grain_density, of.water.density, gravity_,
-                                                 of.water.viscosity);
-      settling_velocity_ = settling_velocity(size, grain.grain_diameter, viscosity_);
+      bed_ = grains_of(of);
+      grain_density_ = bed_.density;
+      settling_velocity_ = settling_velocity(bed_.size_number(), bed_.diameter, viscosity_);
+      reference_level_ = reference_level_of(of);
     }
     for (const Inlet& inlet : of.inlets) add(inlet, of);
     for (const Outlet& outlet : outlets_) {
@@ -318,8 +320,13 @@ class OpeningsOfCase final : public Openings {
   [[nodiscard]] double concentration_in(std::size_t n, const Column& column) const {
     const Inlet& inlet = inlets_[n].inlet;
     if (inlet.grains == InletGrains::recirculated) return rates_[n] > 0 ? returning_ / rates_[n] : 0;
-    return inlet.concentration_at(column.up + zones_[n].half_up, depth_in(n), means_[n], viscosity_,
-                                  settling_velocity_);
+    const double height = column.up + zones_[n].half_up;
+    if (inlet.grains != InletGrains::equilibrium) {
+      return inlet.concentration_at(height, depth_in(n), means_[n], viscosity_, settling_velocity_);
+    }
+    const double friction = friction_velocity_of_current(means_[n], depth_in(n), viscosity_, inlet.roughness);
+    return reference_concentration(bed_, friction) *
+           rouse_share(height, reference_level_, depth_in(n), friction, settling_velocity_);
   }
 
   /// A particle of a column, `layer` spacings behind its first.
@@ -352,6 +359,8 @@ class OpeningsOfCase final : public Openings {
   int layers_;                    // particles of a column
   double grain_density_ = 0;      // [kg/m^3] 0 where water carries no grains
   double settling_velocity_ = 0;  // [m/s] of one grain
+  double reference_level_ = 0;    // [m] over the bed
+  Grains bed_;
   std::vector<Outlet> outlets_;
   std::vector<InletColumns> inlets_;
   std::vector<Column> columns_;  // of all inlets

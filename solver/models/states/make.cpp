@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "case/models/surface_bed.hpp"
+#include "case/models/suspended_load.hpp"
 #include "case/models/three_state.hpp"
 #include "physics/sediment/surface_fill.hpp"
 #include "physics/transport/critical_shields.hpp"
@@ -13,7 +15,8 @@ template <int Dim>
 void StatesModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const Case& of = from.of;
   scene.has_states = scene.has_sediment && models::ThreeState::is_on(of);
-  if (!scene.has_states) return;
+  const bool lifts_off_surface = models::SurfaceBedOfCase::is_on(of) && models::SuspendedLoadOfWater::is_on(of);
+  if (!scene.has_states && !lifts_off_surface) return;
   const SedimentParameters& s = of.sediment();
   const double g = of.domain.gravity.norm();
   const double rho = of.water.density;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "case/models/driven_flow.hpp"
+#include "case/models/grains.hpp"
 #include "case/models/surface_bed.hpp"
 #include "common/error.hpp"
 #include "physics/bed/advance_bed.hpp"
@@ -14,23 +14,6 @@
 
 namespace thalweg {
 namespace {
-
-Grains grains_of(const Case& of) {
-  const SedimentParameters& s = of.sediment();
-  Grains grains;
-  grains.density = s.grain_density;
-  grains.diameter = s.grain_diameter;
-  grains.porosity = s.porosity;
-  grains.tan_friction = std::tan(s.friction_angle);
-  grains.lift_ratio = s.lift_ratio;
-  grains.roughness = roughness_of_current(of);
-  grains.gravity = of.domain.gravity.norm();
-  grains.critical_shields = critical_shields_of(s, of.water.density, grains.gravity);
-  grains.water_density = of.water.density;
-  grains.water_viscosity = of.water.viscosity / of.water.density;
-  grains.bed_load = of.model.bed_load;
-  return grains;
-}
 
 /// Reads numbers one after the other.
 class NumberReader {
@@ -68,6 +51,7 @@ class ColumnBed final : public SurfaceBed {
     for (int axis = 0; axis < 2; ++axis) first_[axis] = laid.first[axis];
     from_ = initial_ = levels();
     shear_.assign(from_.size(), 0);
+    lifted_.assign(from_.size(), 0);
     gather_from(time);
     last_step_ = std::max(time, settings_.spin_up);
     show();
@@ -84,7 +68,7 @@ class ColumnBed final : public SurfaceBed {
     bed_.grid.periodic_x = in.next() != 0, bed_.grid.periodic_y = in.next() != 0;
     bed_.packing = in.next();
     first_[0] = in.next(), first_[1] = in.next();
-    bed_.fed = in.next(), bed_.left = in.next();
+    bed_.fed = in.next(), bed_.left = in.next(), bed_.lifted = in.next();
     is_moving_ = in.next() != 0;
     knows_half_ = in.next() != 0;
     halves_ = static_cast<int>(in.next());
@@ -92,7 +76,8 @@ class ColumnBed final : public SurfaceBed {
     bed_time_ = in.next(), factor_ = in.next();
     steps_ = static_cast<std::int64_t>(in.next()), unsettled_ = static_cast<std::int64_t>(in.next());
     const auto columns = static_cast<std::size_t>(bed_.grid.nx) * static_cast<std::size_t>(bed_.grid.ny);
-    if (in.left() != (arrays_of_numbers + 3) * columns + 1) return false;  // with the device's sums and a flag
+    if (in.left() != (arrays_of_numbers + numbers_of_sums) * columns + 1)
+      return false;  // with the device's sums and a flag
     in.array(bed_.area, columns);
     in.array(bed_.floor, columns);
     in.array(bed_.ceiling, columns);
@@ -104,6 +89,7 @@ class ColumnBed final : public SurfaceBed {
     in.array(from_, columns);
     in.array(initial_, columns);
     in.array(shear_, columns);
+    in.array(lifted_, columns);
     half_.resize(columns);
     for (ColumnShear& of : half_) of.x = in.next(), of.y = in.next(), of.time = in.next();
     show();
@@ -123,6 +109,7 @@ class ColumnBed final : public SurfaceBed {
                                first_[1],
                                bed_.fed,
                                bed_.left,
+                               bed_.lifted,
                                double(is_moving_),
                                double(knows_half_),
                                double(halves_),
@@ -138,7 +125,7 @@ class ColumnBed final : public SurfaceBed {
       for (const auto value : values) out.push_back(static_cast<double>(value));
     };
     add(bed_.area), add(bed_.floor), add(bed_.ceiling), add(bed_.grains), add(bed_.end);
-    add(rows_), add(from_), add(initial_), add(shear_);
+    add(rows_), add(from_), add(initial_), add(shear_), add(lifted_);
     for (std::size_t c = 0; c < from_.size(); ++c) {
       const ColumnShear of = c < half_.size() ? half_[c] : ColumnShear{};
       out.insert(out.end(), {of.x, of.y, of.time});
@@ -162,8 +149,13 @@ class ColumnBed final : public SurfaceBed {
     return 6 * x * (1 - x) / (due_ - begin_);
   }
 
+  void lift(const std::vector<double>& grains) override {
+    for (std::size_t c = 0; c < grains.size(); ++c) lifted_[c] += grains[c];
+  }
+
   void take(const std::vector<ColumnShear>& sums, double time) override {
     if (time <= settings_.spin_up) {
+      lifted_.assign(lifted_.size(), 0);
       gather_from(time);
       return;
     }
@@ -198,6 +190,7 @@ class ColumnBed final : public SurfaceBed {
     found.grains = bed_.total();
     found.fed = bed_.fed;
     found.left = bed_.left;
+    found.lifted = bed_.lifted;
     found.lowest = std::numeric_limits<double>::infinity();
     found.highest = -found.lowest;
     for (std::size_t c = 0; c < from_.size(); ++c) {
@@ -218,8 +211,8 @@ class ColumnBed final : public SurfaceBed {
   }
 
  private:
-  static constexpr double version_of_numbers = 1;
-  static constexpr std::size_t arrays_of_numbers = 12;  // of one number a column
+  static constexpr double version_of_numbers = 2;
+  static constexpr std::size_t arrays_of_numbers = 13;  // of one number a column
   /// A window's stress has settled once its two halves differ by less, rms over the bed, of the rms stress [-].
   static constexpr double settled_change = 0.1;
   static constexpr int most_halves_of_window = 4;
@@ -261,7 +254,11 @@ class ColumnBed final : public SurfaceBed {
     }
     from_ = levels();
     const double elapsed = time - last_step_;
-    const BedAdvance done = advance_bed(bed_, grains_, stress, settings_.factor * elapsed, settings_.step * spacing_);
+    std::vector<double> settling = std::move(lifted_);  // [m^3/s]
+    for (double& of : settling) of /= -elapsed;
+    lifted_.assign(settling.size(), 0);
+    const BedAdvance done =
+        advance_bed(bed_, grains_, stress, settling, settings_.factor * elapsed, settings_.step * spacing_);
     bed_time_ += done.time;
     factor_ = done.time / elapsed;
     // A bed that changes faster than its window lasts is followed with shorter ones: there is no mean to wait for.
@@ -324,6 +321,7 @@ class ColumnBed final : public SurfaceBed {
   std::vector<double> initial_;    // [m] levels at the start
   std::vector<double> from_;       // [m] levels before the motion
   std::vector<float> shear_;       // [Pa]
+  std::vector<double> lifted_;     // [m^3] grains that the water took since the last bed step
   std::vector<ColumnShear> half_;  // means of the window's last half; time: its length [s]
   std::vector<BedColumn> columns_;
   bool is_moving_ = false;

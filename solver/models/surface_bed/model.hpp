@@ -21,8 +21,9 @@ struct SurfaceBedWork {
   std::shared_ptr<SurfaceBed> surface_bed;  // null without one
   typename Device::template Buffer<BedColumn> bed_columns;
   typename Device::template Buffer<ColumnShear> bed_sums;
-  double dt_of_bed = 0;    // [s] of the step under way
-  bool bed_moved = false;  // since the lists were made, to a place where it stays
+  typename Device::template Buffer<double> bed_lifted;  // [m^dim] grains of each column that the water took
+  double dt_of_bed = 0;                                 // [s] of the step under way
+  bool bed_moved = false;                               // since the lists were made, to a place where it stays
 };
 
 template <class Device>
@@ -33,6 +34,7 @@ void upload_bed_columns(Device& on, SurfaceBedWork<Device>& work) {
 
 template <class Device>
 void clear_bed_sums(Device& on, SurfaceBedWork<Device>& work) {
+  on.upload(HostBuffer<double>(work.surface_bed->columns().size(), 0.0), work.bed_lifted);
   on.upload(HostBuffer<ColumnShear>(work.surface_bed->columns().size(), ColumnShear{}), work.bed_sums);
 }
 
@@ -121,6 +123,8 @@ struct SurfaceBedModel {
     SurfaceBed& bed = *step.work.surface_bed;
     const double time = step.work.time + step.now.step.dt;
     if (time < bed.due()) return;
+    const auto lifted = step.on.download(step.work.bed_lifted);
+    bed.lift({lifted.begin(), lifted.end()});
     if (bed.is_moving()) {
       bed.arrive(time);
       upload_bed_columns(step.on, step.work);
@@ -155,14 +159,19 @@ void load_surface_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
                       const std::shared_ptr<SurfaceBed>& bed, const ParticleSet& from) {
   work.surface_bed = bed;
   HostBuffer<ColumnShear> sums(bed->columns().size(), ColumnShear{});
+  HostBuffer<double> lifted(bed->columns().size(), 0.0);
   const auto known = from.facts.find(surface_bed_fact);
   const bool is_new = known == from.facts.end();
   if (!is_new) {
-    const double* last = known->second.data() + known->second.size() - 3 * sums.size() - 1;
+    const double* last = known->second.data() + known->second.size() - numbers_of_sums * sums.size() - 1;
     if (known->second.back() != 0) work.squared_drift = INFINITY;
-    for (std::size_t c = 0; c < sums.size(); ++c) sums[c] = {last[3 * c], last[3 * c + 1], last[3 * c + 2]};
+    for (std::size_t c = 0; c < sums.size(); ++c, last += numbers_of_sums) {
+      sums[c] = {last[0], last[1], last[2]};
+      lifted[c] = last[3];
+    }
   }
   on.upload(std::move(sums), work.bed_sums);
+  on.upload(std::move(lifted), work.bed_lifted);
   upload_bed_columns(on, work);
   if (is_new) {
     BedPlace* places = p.bed_place.data();
@@ -185,7 +194,11 @@ template <class Device>
 void add_surface_bed(Device& on, const SurfaceBedWork<Device>& work, ParticleSet& to) {
   std::vector<double>& numbers = to.facts[surface_bed_fact];
   numbers = work.surface_bed->numbers();
-  for (const ColumnShear& sum : on.download(work.bed_sums)) numbers.insert(numbers.end(), {sum.x, sum.y, sum.time});
+  const auto sums = on.download(work.bed_sums);
+  const auto lifted = on.download(work.bed_lifted);
+  for (std::size_t c = 0; c < sums.size(); ++c) {
+    numbers.insert(numbers.end(), {sums[c].x, sums[c].y, sums[c].time, lifted[c]});
+  }
   numbers.push_back(work.bed_moved ? 1 : 0);
 }
 

@@ -5,9 +5,10 @@ namespace thalweg {
 /// Constants of a bed that is a surface.
 struct SurfaceBedConstants {
   bool on = false;
-  float roughness = 0;    // ks of its grains [m]
-  float density = 0;      // of the bed in particle files [kg/m^3]
-  int rows_in_reach = 0;  // rows that water may feel, which keep a spacing's distance
+  float roughness = 0;     // ks of its grains [m]
+  float tan_friction = 0;  // of its slopes at rest [-]
+  float density = 0;       // of the bed in particle files [kg/m^3]
+  int rows_in_reach = 0;   // rows that water may feel, which keep a spacing's distance
 };
 
 template <int Dim>

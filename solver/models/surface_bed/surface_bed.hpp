@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "solver/state/report.hpp"
@@ -37,6 +38,8 @@ class SurfaceBed {
   [[nodiscard]] virtual double share_at(double time) const = 0;
   /// Its rate [1/s].
   [[nodiscard]] virtual double rate_at(double time) const = 0;
+  /// Grains that the water took from each column since the last call [m^3], less those that settled on it.
+  virtual void lift(const std::vector<double>& grains) = 0;
   /// Takes the sums since the last call and decides, at a time [s]: gather on, or move.
   virtual void take(const std::vector<ColumnShear>& sums, double time) = 0;
   /// The motion is at its end, at a time [s].
@@ -48,6 +51,10 @@ class SurfaceBed {
   /// All that a checkpoint needs (make_surface_bed.hpp reads it).
   [[nodiscard]] virtual std::vector<double> numbers() const = 0;
 };
+
+/// Numbers a column that follow those of the bed in a checkpoint: a ColumnShear, and grains that the water took. A flag
+/// is the last.
+inline constexpr std::size_t numbers_of_sums = 4;
 
 /// Name of the bed's numbers in a checkpoint (ParticleSet::facts).
 inline constexpr const char* surface_bed_fact = "SurfaceBed";

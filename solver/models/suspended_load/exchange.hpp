@@ -22,20 +22,63 @@ struct OverBed {
 /// Water a over the particle b of the bed. Grains are exchanged with the layer next to the surface,
 ///   weight V_a W_ab max(0, 1 - z/(1.5 dp)),
 /// because the eddies above are those of the whole depth, which a particle of the bed does not know.
+///
+/// normal: unit vector of the surface, out of the bed; depth: of the particle's middle below the surface [m].
 template <int Dim>
-HOST_DEVICE inline OverBed place_over_bed(const Record& a, const Record& b, const BedSurface& surface,
+HOST_DEVICE inline OverBed place_over_bed(const Record& a, const Record& b, const Vec<Dim, float>& normal, float depth,
                                           const Scene<Dim>& scene) {
   const Vec<Dim, float> r = scene.separation(a.place, b.place);
   const float r2 = dot(r, r);
   if (!(r2 < scene.support() * scene.support())) return {};
   const auto dp = static_cast<float>(scene.spacing);
   const float least = 0.25F * dp;  // the lowest water lies half a spacing high
-  const float over = dot(r, bed_states::pick<Dim>(surface.normal)) - 0.5F * dp;
+  const float over = dot(r, normal) - depth;
   OverBed out;
   out.height = over > least ? over : least;
   const float near = 1 - out.height / (1.5F * dp);
   if (near > 0) out.weight = near * a.volume * scene.kernel.value(scene.kernel.closeness(sqrtf(r2)));
   return out;
+}
+
+/// Water a over the particle b of a bed of particles, whose surface lies half a spacing over it.
+template <int Dim>
+HOST_DEVICE inline OverBed over_bed(const Record& a, const Record& b, const BedSurface& surface,
+                                    const Scene<Dim>& scene) {
+  const float half = 0.5F * static_cast<float>(scene.spacing);
+  return place_over_bed(a, b, bed_states::pick<Dim>(surface.normal), half, scene);
+}
+
+/// Volume of grains that leaves the bed per second and area [m/s] under a shear stress [Pa], where it begins to move at the
+/// critical one [Pa].
+template <int Dim>
+HOST_DEVICE inline float pick_up_of(const Scene<Dim>& scene, float shear_stress, float critical_stress) {
+  const ErosionScene<Dim>& grains = scene.erosion;
+  const float theta = shear_stress / grains.grain_weight;
+  const float critical = critical_stress / grains.grain_weight;
+  switch (scene.suspended_load.pick_up) {
+    case PickUp::van_rijn:
+      return van_rijn_pick_up(theta, critical, grains.dimensionless_diameter, grains.diameter, grains.grain_density,
+                              scene.water_density, grains.gravity);
+    case PickUp::mastbergen:
+      return lift_velocity(theta, critical, grains.dimensionless_diameter, grains.diameter, grains.grain_density,
+                           scene.water_density, grains.gravity);
+  }
+  return 0;
+}
+
+/// Volume of grains that goes from a particle of the bed to water over it [m^dim/s]:
+///   A J weight/sum of the weights,   J of flux_from_bed() at the height of the water over the surface.
+HOST_DEVICE inline float grains_to_water(const SuspendedLoadConstants& law, const Suspended& bed,
+                                         const Suspended& water, const OverBed& over) {
+  if (!(over.weight > 0)) return 0;
+  const float C = water.concentration;
+  // The eddies that a model of turbulence knows say how deep the water is; without one it counts as deep.
+  const float of_wall = von_karman<float> * bed.friction * over.height;
+  const float known = water.diffusivity;
+  const float share = known > 0.5F * of_wall && known < of_wall ? known / of_wall : 1;
+  const float J = flux_from_bed(bed.reference, C, law.settling_velocity * hindered_share(C), bed.friction, over.height,
+                                law.reference_level, share);
+  return bed.exposed * over.weight * J;
 }
 
 /// Particle pass: the concentration that a particle of the bed's surface holds ready at the reference level, the pick-up
@@ -69,7 +112,7 @@ struct BedSourcePass {
     out.exposed = law.area * wet / weight;
     if (!(s.shear_stress > 0) || !(out.concentration > bed_change::least_left)) return;
     out.friction = sqrtf(s.shear_stress / scene.water_density);
-    const float ready = pick_up(s) / law.settling_velocity;
+    const float ready = pick_up_of(scene, s.shear_stress, s.critical_stress) / law.settling_velocity;
     out.reference = ready < law.packing ? ready : law.packing;
   }
 
@@ -80,31 +123,14 @@ struct BedSourcePass {
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (j == list.count || records[j].volume == 0 || !is_water(records[j])) continue;
-      sum += place_over_bed(records[j], records[i], bed[i], scene).weight;
+      sum += over_bed(records[j], records[i], bed[i], scene).weight;
     }
     return sum;
   }
-
-  /// Volume of grains that leaves the bed [m/s].
-  [[nodiscard]] HOST_DEVICE float pick_up(const BedSurface& s) const {
-    const ErosionScene<Dim>& grains = scene.erosion;
-    const float theta = s.shear_stress / grains.grain_weight;
-    const float critical = s.critical_stress / grains.grain_weight;
-    switch (scene.suspended_load.pick_up) {
-      case PickUp::van_rijn:
-        return van_rijn_pick_up(theta, critical, grains.dimensionless_diameter, grains.diameter, grains.grain_density,
-                                scene.water_density, grains.gravity);
-      case PickUp::mastbergen:
-        return lift_velocity(theta, critical, grains.dimensionless_diameter, grains.diameter, grains.grain_density,
-                             scene.water_density, grains.gravity);
-    }
-    return 0;
-  }
 };
 
-/// Particle pass over bed and water alike: the grains that they exchange. A particle b of the bed gives to water a
-///   dG_a/dt = A J weight_a/sum of the weights
-/// J of flux_from_bed() at the height of the water over the surface; what the water gains the bed loses, pair by pair.
+/// Particle pass over bed and water alike: the grains that they exchange (grains_to_water()). What the water gains the bed
+/// loses, pair by pair.
 template <int Dim>
 struct BedExchangePass {
   using neighbours = Neighbours<field::place, field::matter, field::bed, field::suspended>;
@@ -137,18 +163,8 @@ struct BedExchangePass {
  private:
   /// Volume of grains that goes from particle b of the bed to water a [m^dim/s].
   [[nodiscard]] HOST_DEVICE float flux(Index b, Index a) const {
-    const OverBed over = place_over_bed(records[a], records[b], bed[b], scene);
-    if (!(over.weight > 0)) return 0;
-    const SuspendedLoadConstants& law = scene.suspended_load;
-    const float C = suspended[a].concentration;
-    const Suspended& of = suspended[b];
-    // The eddies that a model of turbulence knows say how deep the water is; without one it counts as deep.
-    const float of_wall = von_karman<float> * of.friction * over.height;
-    const float known = suspended[a].diffusivity;
-    const float share = known > 0.5F * of_wall && known < of_wall ? known / of_wall : 1;
-    const float J = flux_from_bed(of.reference, C, law.settling_velocity * hindered_share(C), of.friction, over.height,
-                                  law.reference_level, share);
-    return of.exposed * over.weight * J;
+    const OverBed over = over_bed(records[a], records[b], bed[b], scene);
+    return grains_to_water(scene.suspended_load, suspended[b], suspended[a], over);
   }
 };
 

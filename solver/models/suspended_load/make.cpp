@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "case/models/surface_bed.hpp"
 #include "case/models/suspended_load.hpp"
 #include "solver/models/all.hpp"
 #include "solver/models/make.hpp"
@@ -11,7 +12,7 @@ template <int Dim>
 void SuspendedLoadModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const Case& of = from.of;
   SuspendedLoadConstants& law = scene.suspended_load;
-  law.on = scene.has_states && models::SuspendedLoadOfWater::is_on(of);
+  law.on = (scene.has_states || models::SurfaceBedOfCase::is_on(of)) && models::SuspendedLoadOfWater::is_on(of);
   scene.water_has_grains = law.on;
   if (!law.on) return;
   const SedimentParameters& s = of.sediment();

@@ -7,6 +7,7 @@
 #include "solver/models/suspended_load/exchange.hpp"
 #include "solver/models/suspended_load/scene.hpp"
 #include "solver/models/suspended_load/settling.hpp"
+#include "solver/models/suspended_load/surface_exchange.hpp"
 
 namespace thalweg {
 
@@ -30,7 +31,7 @@ struct SuspendedLoadModel {
   }
   template <class Device, class Scene, class Workspace>
   static void before_lists(Device& on, Particles<Device>& p, const Scene& scene, Workspace&) {
-    change_bed(on, p, scene);
+    if (!scene.surface_bed.on) change_bed(on, p, scene);
   }
   template <class C>
   static void at_start(C& step) {
@@ -48,11 +49,16 @@ struct SuspendedLoadModel {
     step.on.for_each(p.fluid_count, DiffusivityPass<C::dimension>{p.record.data(), sub_particle, eddies,
                                                                   p.suspended.data(), step.scene});
     settle(step.on, p, step.scene, step.state);
-    exchange_with_bed(step.on, p, step.scene, step.state);
+    if (step.scene.surface_bed.on) {
+      exchange_with_surface(step.on, p, step.scene, step.state, step.work.bed_lifted);
+    } else {
+      exchange_with_bed(step.on, p, step.scene, step.state);
+    }
   }
   /// Particles become of another kind where the lists are made anew, which in still water is hardly ever.
   template <class C>
   static void after_reading(C& step) {
+    if (step.scene.surface_bed.on) return;
     constexpr std::int64_t interval = 100;  // steps
     if ((step.now.number + 1) % interval == 0) step.now.squared_drift = INFINITY;
   }

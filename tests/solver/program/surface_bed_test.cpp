@@ -3,8 +3,10 @@
 #include <cmath>
 #include <map>
 
+#include "case/models/grains.hpp"
 #include "common/error.hpp"
 #include "physics/bed/grains.hpp"
+#include "physics/transport/rouse.hpp"
 #include "physics/water/log_profile.hpp"
 #include "solver/models/surface_bed/arrays.hpp"
 #include "solver/models/surface_bed/make_bed_rows.hpp"
@@ -86,6 +88,61 @@ TEST(SurfaceBedRun, ContinuedIsTheSameBitForBit) {
   EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
   EXPECT_EQ(ends.straight.facts.at("SurfaceBed"), ends.joined.facts.at("SurfaceBed"));
   EXPECT_GT(last(ends.straight_run, "bed_steps", "-"), 3);
+}
+
+TEST(SurfaceBedRun, WithSuspendedGrainsContinuedIsTheSameBitForBit) {
+  test::TwoEnds ends;
+  ASSERT_NO_FATAL_FAILURE(
+      test::run_with_a_break(scene("hump"),
+                             {"output.end=\"1 s\"", "output.interval=\"0.25 s\"", "suspended_load.carried_by=\"water\"",
+                              "materials.sand.grain_diameter=\"0.2 mm\""},
+                             "0.5 s", ends));
+  EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
+  EXPECT_EQ(ends.straight.facts.at("SurfaceBed"), ends.joined.facts.at("SurfaceBed"));
+  EXPECT_NE(last(ends.straight_run, "bed_lifted", "m^3"), 0);
+}
+
+TEST(SurfaceBedRun, GrainsThatSettleRaiseTheBed) {
+  test::CaseRun run("surface_settling");
+  run.fill_from(scene("settling"), {});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const double settled = 0.01 * 0.1 * 0.1;  // [m^2]
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto grains = history.numbers("bed_grains", "m^3");
+  const auto lifted = history.numbers("bed_lifted", "m^3");
+  const auto suspended = history.numbers("suspended_mass", "kg");
+  EXPECT_NEAR(suspended.front(), 2650 * settled, 0.02 * 2650 * settled);
+  EXPECT_LT(suspended.back(), 3e-3 * suspended.front());
+  const double before = 0.6 * 0.03 * 0.1;
+  const double in_window = 2e-3 * settled;  // that the bed takes at its next step
+  EXPECT_NEAR(grains.back() + suspended.back() / 2650, grains.front() + suspended.front() / 2650, in_window);
+  for (std::size_t n = 0; n < grains.size(); ++n) EXPECT_NEAR(grains[n] + lifted[n], before, 1e-9 * before);
+  EXPECT_NEAR(last(run, "bed_lowest", "m"), settled / 0.1 / 0.6, 0.02 * settled / 0.1 / 0.6);
+  EXPECT_NEAR(last(run, "bed_highest", "m"), settled / 0.1 / 0.6, 0.02 * settled / 0.1 / 0.6);
+}
+
+// In the end the current holds what Rouse's profile over the bed's reference concentration holds.
+TEST(SurfaceBedRun, HoldsTheGrainsOfRousesProfile) {
+  test::CaseRun run("surface_rouse");
+  run.fill_from(scene("channel"), {"suspended_load.carried_by=\"water\"", "materials.sand.grain_diameter=\"0.13 mm\"",
+                                   "surface_bed.factor=1", "output.end=\"16 s\"", "output.interval=\"8 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const Grains sand = grains_of(run.scene());
+  const double friction = std::sqrt(9.81 * 0.1 * 0.00197);
+  const double reference = reference_concentration(sand, friction);
+  double exact = 0;  // [m] of grains
+  constexpr int layers = 10000;
+  for (int n = 0; n < layers; ++n) {
+    const double z = 0.001 + (0.1 - 0.001) * (n + 0.5) / layers;
+    exact += reference * rouse_share(z, 0.001, 0.1, friction, sand.settling(0)) * (0.1 - 0.001) / layers;
+  }
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto suspended = history.numbers("suspended_mass", "kg");
+  const double held = suspended.back() / 2650 / 0.2;
+  EXPECT_NEAR(held, exact, 0.15 * exact);
+  EXPECT_NEAR(suspended[suspended.size() * 3 / 4], suspended.back(), 0.05 * suspended.back());
+  const double fallen = -held / 0.6;
+  EXPECT_NEAR(last(run, "bed_lowest", "m"), fallen, 0.1 * std::abs(fallen));
 }
 
 TEST(SurfaceBedRun, APierIsScouredAtItsFlanksAndGrainsAreKept) {
