@@ -34,6 +34,8 @@ struct RunFolder {
   [[nodiscard]] std::filesystem::path foam() const { return root / "foam"; }
   /// The same run with `times` the spacing (compare.runs).
   [[nodiscard]] RunFolder coarser(int times) const { return {root / "coarser" / (std::to_string(times) + "x")}; }
+  /// The same run with the factor of its bed divided by `times` (compare.factor_runs).
+  [[nodiscard]] RunFolder slower(int times) const { return {root / "slower" / (std::to_string(times) + "x")}; }
 };
 
 }  // namespace thalweg

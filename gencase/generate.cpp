@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "case/bed_on_ground.hpp"
 #include "case/models/openings.hpp"
 #include "case/reader/case_file.hpp"
 #include "case/scales.hpp"
@@ -279,6 +280,7 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   resolve_speeds(result, notes);
   result.particles = make_particles(result.resolved, shapes, filling, start, summary);
   result.particles.info.lattice_node = named_node(result.particles, lattice);
+  require_bed_on_ground(result.resolved, result.particles);
   start_flow(result.resolved, shapes, filling, result.particles);
   if (scene.gencase.relaxation > 0) {
     const auto skin = make_flow_skin(room, around(scene, lattice), scene.numerics.spacing, scene.info.dimension, notes);

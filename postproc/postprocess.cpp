@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "case/reader/case_file.hpp"
+#include "common/app/scour/scene.hpp"
 #include "common/run_folder.hpp"
 #include "common/warnings.hpp"
 #include "common/whole_file.hpp"
@@ -87,6 +88,8 @@ bool make_report(ReportInput& input, bool in_space) {
   input.history = read_history(run.history());
   input.openings = read_openings(input.resolved, run.history());
   input.scour = read_scour(input.resolved, run.history());
+  input.scour_checks = read_scour_checks(run, input.scour);
+  input.formulas = formula_rows_of(input.resolved);
   input.stations = velocity_stations(input.resolved, find_snapshots(run).entries);
   input.timing = read_timing(run.timing());
   input.summary = read_quantities(run.summary());

@@ -87,7 +87,12 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   if (!input.scour.time.empty()) {
     const fs::path table = input.run.report() / "data" / "scour.csv";
     write_scour(table, input.scour);
-    scripts.push_back(writer.scour(table, input.scour.fit.has_reached()));
+    std::vector<ScourCurve> beside;
+    for (const ScourCheck& check : input.scour_checks) {
+      beside.push_back({check.label, table.parent_path() / fmt::format("scour-beside{}.csv", beside.size() + 1)});
+      write_scour(beside.back().table, check.record);
+    }
+    scripts.push_back(writer.scour(table, input.scour.fit.has_reached(), beside));
   }
   if (!input.stations.empty()) {
     const fs::path table = input.run.report() / "data" / "stations.csv";
@@ -155,9 +160,10 @@ bool write_report(ReportInput& input) {
          << part::which_is_which(input);
     if (!input.warnings.empty()) page << part::remarks(input);
     page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
-         << part::scour(input, pictures) << part::openings(input, pictures) << part::stations(input, pictures)
-         << part::space_time(input, pictures) << part::space_view(space) << part::particles(input, pictures)
-         << part::methods(input, pictures) << part::run_numbers(input) << part::model(input);
+         << part::scour(input, pictures) << part::formulas(input) << part::openings(input, pictures)
+         << part::stations(input, pictures) << part::space_time(input, pictures) << part::space_view(space)
+         << part::particles(input, pictures) << part::methods(input, pictures) << part::run_numbers(input)
+         << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
     page << part::provenance(input) << part::hover(input) << "</body>\n</html>\n";
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "common/app/scour/rows.hpp"
 #include "common/run_folder.hpp"
 #include "postproc/comparison.hpp"
 #include "postproc/extraction_run.hpp"
@@ -53,6 +54,8 @@ struct ReportInput {
   BedHistory bed_history;
   OpeningRecords openings;
   ScourRecord scour;
+  std::vector<ScourCheck> scour_checks;
+  std::vector<FormulaRow> formulas;  // of scour, that the case gives the inputs of
   std::vector<VelocityStation> stations;
   bool in_space = false;  // with the 3-D view
 };

@@ -21,6 +21,7 @@ std::string errors(const ReportInput& input);
 std::string front_and_energies(const ReportInput& input, const std::filesystem::path& pictures);
 std::string openings(const ReportInput& input, const std::filesystem::path& pictures);
 std::string scour(const ReportInput& input, const std::filesystem::path& pictures);
+std::string formulas(const ReportInput& input);
 std::string stations(const ReportInput& input, const std::filesystem::path& pictures);
 std::string particles(const ReportInput& input, const std::filesystem::path& pictures);
 std::string space_time(const ReportInput& input, const std::filesystem::path& pictures);

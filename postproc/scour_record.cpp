@@ -1,9 +1,14 @@
 #include "postproc/scour_record.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "case/models/surface_bed.hpp"
+#include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
+#include "common/units.hpp"
 
 namespace thalweg {
 
@@ -30,6 +35,42 @@ ScourRecord read_scour(const Case& of, const std::filesystem::path& history) {
   record.unsettled = std::lround(table.numbers("bed_unsettled", "-").back());
   record.fit = fit_equilibrium(record.time, record.depth);
   return record;
+}
+
+double scour_at(const ScourRecord& record, double time) {
+  double time_before = 0;
+  double depth_before = 0;
+  for (std::size_t n = 0; n < record.time.size(); ++n) {
+    if (record.time[n] >= time) {
+      const double share = (time - time_before) / (record.time[n] - time_before);
+      return depth_before + share * (record.depth[n] - depth_before);
+    }
+    time_before = record.time[n];
+    depth_before = record.depth[n];
+  }
+  return depth_before;
+}
+
+std::vector<ScourCheck> read_scour_checks(const RunFolder& run, const ScourRecord& main) {
+  std::vector<ScourCheck> checks;
+  if (main.time.empty()) return checks;
+  for (const bool slower : {true, false}) {
+    for (const int times : {2, 4, 8}) {
+      const RunFolder beside = slower ? run.slower(times) : run.coarser(times);
+      if (!std::filesystem::exists(beside.resolved_case())) continue;
+      const Case of = read_case(beside.resolved_case());
+      ScourCheck check;
+      check.label = slower ? fmt::format("factor {:g}", of.surface_bed.factor)
+                           : "spacing " + format_quantity(of.numerics.spacing, "m");
+      check.record = read_scour(of, beside.history());
+      if (check.record.time.empty()) continue;
+      check.time = std::min(main.time.back(), check.record.time.back());
+      check.depth = scour_at(check.record, check.time);
+      check.of_main = scour_at(main, check.time);
+      checks.push_back(std::move(check));
+    }
+  }
+  return checks;
 }
 
 void write_scour(const std::filesystem::path& file, const ScourRecord& record) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
 #include "common/equilibrium_fit.hpp"
+#include "common/run_folder.hpp"
 
 namespace thalweg {
 
@@ -20,6 +22,21 @@ struct ScourRecord {
   long unsettled = 0;         // of these, under a stress that had not settled
   EquilibriumFit fit;
 };
+
+/// The hole of a run beside the main one, with another factor or spacing.
+struct ScourCheck {
+  std::string label;  // "factor 2", "spacing 10 mm"
+  ScourRecord record;
+  double time = 0;     // [s] of the bed, the latest that both runs have
+  double depth = 0;    // [m] at that time, in this run
+  double of_main = 0;  // [m] and in the main one
+};
+
+/// The runs in `slower` and `coarser` below the run's folder (compare.factor_runs, compare.runs) that have a hole.
+std::vector<ScourCheck> read_scour_checks(const RunFolder& run, const ScourRecord& main);
+
+/// Depth of the hole [m] at a time [s] of the bed, linear between bed steps.
+double scour_at(const ScourRecord& record, double time);
 
 /// Reads it from history.csv; without times for other beds, and before the first bed step. Throws InputError.
 ScourRecord read_scour(const Case& of, const std::filesystem::path& history);

@@ -5,6 +5,7 @@
 
 #include "case/case.hpp"
 #include "case/models/driven_flow.hpp"
+#include "case/models/surface_bed.hpp"
 
 namespace thalweg {
 
@@ -30,6 +31,8 @@ double reference_level_of(const Case& of) {
   const double given = of.suspended_load.reference_level;
   return given > 0 ? given : roughness_of_current(of);
 }
+
+double grain_stress_of(const Case& of) { return models::SurfaceBedOfCase::is_on(of) ? of.surface_bed.grain_stress : 1; }
 
 double reference_concentration(const Grains& of, double friction_velocity) {
   const BedStress stress = bed_stress_of(of, friction_velocity, 1, 0);

@@ -13,7 +13,11 @@ Grains grains_of(const Case& of);
 /// roughness.
 double reference_level_of(const Case& of);
 
-/// Volume share of grains [-] that a flat bed holds ready at the reference level under a friction velocity [m/s]: pick-up
+/// Share of the shear stress on the bed that moves grains [-]: surface_bed.grain_stress, 1 for beds of particles.
+double grain_stress_of(const Case& of);
+
+/// Volume share of grains [-] that a flat bed holds ready at the reference level under the friction velocity [m/s] of the
+/// stress that moves grains: pick-up
 /// over settling velocity, not more than the bed itself has.
 double reference_concentration(const Grains& of, double friction_velocity);
 

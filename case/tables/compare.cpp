@@ -3,12 +3,21 @@
 #include <filesystem>
 
 #include "case/case.hpp"
+#include "case/models/surface_bed.hpp"
 #include "case/tables/common_checks.hpp"
 
 namespace thalweg {
 
 void Compare::check(const Case& whole, const CheckContext& at) const {
   check_within_run(at, "times", times, whole.output.end);
+  if (factor_runs > 1 && !models::SurfaceBedOfCase::is_on(whole)) {
+    at.reject("compare.factor_runs", "compare.factor_runs means nothing without a bed that is a surface",
+              "remove it, or write sediment = \"surface\" in [model]");
+  }
+  if (factor_runs > 1 && whole.surface_bed.factor < 2 * (factor_runs - 1)) {
+    at.reject("compare.factor_runs", "compare.factor_runs asks for a factor below 1",
+              "give a larger surface_bed.factor, or fewer runs");
+  }
   if (from > to) at.reject("compare.to", "compare.to lies before compare.from", "exchange them");
   // A run's folder may be computed on another machine than the one that holds the references.
   if (at.resolved()) return;

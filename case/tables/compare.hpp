@@ -16,6 +16,7 @@ struct Compare {
   double from = 0;  // [m]
   double to = 0;    // [m]
   int runs = 1;
+  int factor_runs = 1;
 
   template <class V>
   void describe(V& v) {
@@ -27,6 +28,10 @@ struct Compare {
     v.integer("runs", runs, 1, 4,
               "Particle runs that `thalweg run` makes, each with twice the spacing of the one before: what the spacing "
               "decides, and what it costs.");
+    v.integer(
+        "factor_runs", factor_runs, 1, 3,
+        "Particle runs of a bed that is a surface that `thalweg run` makes, each with half the surface_bed.factor "
+        "of the one before and over the same time of the bed: what the factor decides.");
   }
 
   void check(const Case& whole, const CheckContext& at) const;

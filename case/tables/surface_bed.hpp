@@ -17,6 +17,7 @@ struct SurfaceBedSettings {
   double window = 0;     // [s]
   double spin_up = 0;    // [s]
   BedFeed feed = BedFeed::equilibrium;
+  double grain_stress = 1;  // [-]
 
   template <class V>
   void describe(V& v) {
@@ -31,6 +32,9 @@ struct SurfaceBedSettings {
                "halves differ by more than 10 %. 0: the time of 50 spacings at numerics.maximum_speed.");
     v.quantity("spin_up", spin_up, "s", 0, 1e6, "Time in which the flow forms and the bed stays as it is.");
     v.choice("feed", feed, "Bed load that comes in with the water of an inlet.");
+    v.number("grain_stress", grain_stress, 0.01, 1,
+             "Share of the water's shear stress on the bed that moves grains. Ripples smaller than a spacing take the "
+             "rest, where the bed's roughness is theirs.");
   }
 
   void check(const Case& whole, const CheckContext& at) const;

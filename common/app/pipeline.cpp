@@ -71,6 +71,13 @@ std::vector<Stage> stages_of(const PipelineOptions& options, const Case& scene, 
     add_run(stages, options, folder, with(overrides, {"--set", spacing}), scene.output.end, false);
     stages.push_back({"postproc", {folder.root.string()}, false});
   }
+  for (int run = 1, times = 2; run < scene.compare.factor_runs; ++run, times *= 2) {
+    const double spin_up = scene.surface_bed.spin_up;
+    const double end = spin_up + times * (scene.output.end - spin_up);
+    const Words slower{"--set", fmt::format("surface_bed.factor={}", scene.surface_bed.factor / times), "--set",
+                       fmt::format("output.end={} s", end)};
+    add_run(stages, options, RunFolder{out}.slower(times), with(overrides, slower), end, false);
+  }
   if (options.foam) {
     stages.push_back({"foam", with({options.case_path.string(), "--out", out}, overrides), false});
   }
@@ -133,7 +140,7 @@ int run_stage(const Stage& stage) {
   return status;
 }
 
-/// Runs the stages in turn, and the report in any case: a mesh model or a coarser run that fails is a line in it.
+/// Runs the stages in turn, and the report in any case: a mesh model or a run beside it that fails is a line in it.
 int run_stages(const std::vector<Stage>& stages, const RunFolder& folder) {
   int outcome = static_cast<int>(Exit::done);
   for (const Stage& stage : stages) {
@@ -145,7 +152,7 @@ int run_stages(const std::vector<Stage>& stages, const RunFolder& folder) {
       return status;
     }
     const bool mesh = stage.name == "foam";
-    const std::string what = mesh ? "" : fmt::format("{} of a coarser run ", stage.name);
+    const std::string what = mesh ? "" : fmt::format("{} of a run beside it ", stage.name);
     WarningFile(folder, mesh ? "foam" : "run")
         .add(fmt::format("{}failed with status {}; the report does without what is missing", what, status));
     announce(fmt::format("== {} failed; the report does without it", stage.name));

@@ -19,6 +19,12 @@ struct MeshStations {
   std::vector<VelocityStation> stations;
 };
 
+/// The hole of a run beside the main one, and the table that holds it (write_scour()).
+struct ScourCurve {
+  std::string label;
+  std::filesystem::path table;
+};
+
 /// Writes gnuplot scripts into one folder. Each draws NAME.svg and NAME.png beside itself, from CSV files named by
 /// relative paths. The look of a curve: its colour says which curve it is (Okabe and Ito's colours, safe for
 /// colour-blind readers), its dash or marker says which source it comes from. Every function returns the script's path
@@ -46,8 +52,9 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path levels_at_openings(const std::filesystem::path& table,
                                                          const OpeningRecords& records) const;
 
-  /// Depth of the scour against the bed's time, from a table of write_scour().
-  [[nodiscard]] std::filesystem::path scour(const std::filesystem::path& table, bool has_fit) const;
+  /// Depth of the scour against the bed's time, from a table of write_scour(), and of runs beside.
+  [[nodiscard]] std::filesystem::path scour(const std::filesystem::path& table, bool has_fit,
+                                            const std::vector<ScourCurve>& beside) const;
 
   /// Velocity profiles and their logarithmic laws, from a table of write_velocity_stations(); those of mesh models beside
   /// them.

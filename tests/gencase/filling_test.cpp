@@ -43,6 +43,20 @@ TEST(Filling, TankAndWaterOfTheLattice3d) {
   EXPECT_EQ(count(set, ParticleType::wall), 16 * 12 * 11 - 10 * 6 * 8);
 }
 
+TEST(Filling, ABedThatIsASurfaceLiesOnTheGround) {
+  Case scene = empty_scene(2, 0.01);
+  add_sand(scene);
+  scene.model.sediment = SedimentModel::surface;
+  add_tank(scene, Vec3(0, 0, 0), Vec3(0.2, 0, 0.1));
+  add_box(scene, "pool", ShapeRole::water, Vec3(0, 0, 0), Vec3(0.2, 0, 0.08));
+  add_box(scene, "bed", ShapeRole::sediment, Vec3(0, 0, 0), Vec3(0.2, 0, 0.03)).material = "sand";
+  EXPECT_EQ(refusal(scene), "accepted");
+  add_box(scene, "slab", ShapeRole::sediment, Vec3(0.1, 0, 0.05), Vec3(0.12, 0, 0.06)).material = "sand";
+  EXPECT_THAT(refusal(scene), HasSubstr("hangs over water or a wall"));
+  scene.model.sediment = SedimentModel::three_state;
+  EXPECT_EQ(refusal(scene), "accepted");
+}
+
 TEST(Filling, ClosedTankHasALid) {
   Case scene = empty_scene(2, 0.01);
   add_tank(scene, Vec3(0, 0, 0), Vec3(0.2, 0, 0.1)).open.clear();

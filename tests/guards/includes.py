@@ -16,7 +16,8 @@ ALLOWED = {
     "common": {"physics"},
     "common/io": {"common", "physics"},
     "common/extraction": {"case", "common", "physics"},
-    "common/app": {"case", "common", "common/io", "physics"},  # the umbrella program, which sits on the libraries
+    "common/app/scour": {"case", "common", "physics"},
+    "common/app": {"case", "common", "common/app/scour", "common/io", "physics"},  # the umbrella program, which sits on the libraries
     "case": {"common", "physics"},  # a law declares its own parameters; the case is made of these structs
     "gencase": {"case", "common", "common/io", "physics"},
     "solver/state": {"physics"},
@@ -33,7 +34,7 @@ ALLOWED = {
     # The interface of a simulation is all that the program and its neighbours see of the solver.
     "solver interface": {"case", "common", "solver", "solver/state"},
     "solver/program": {"case", "common", "common/io", "common/extraction", "solver interface", "solver/state"},
-    "postproc": {"case", "common", "common/io", "common/extraction", "physics"},
+    "postproc": {"case", "common", "common/app/scour", "common/io", "common/extraction", "physics"},
     "foam_reference": {"case", "common", "common/io", "physics", "foam_reference/library"},
     "foam_reference/library": {"physics"},  # compiled by wmake against OpenFOAM
 }

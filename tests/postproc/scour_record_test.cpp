@@ -67,6 +67,72 @@ TEST_F(ScourRecordTest, TellsNoneThatIsFarAway) {
   EXPECT_EQ(heading, "time [s],depth [m]");
 }
 
+TEST_F(ScourRecordTest, ReadsRunsBesideAtTheTimeThatBothHave) {
+  const ScourRecord main = read_scour(case_, history(60));
+  const RunFolder run{folder_};
+  EXPECT_TRUE(read_scour_checks(run, main).empty());
+  const RunFolder slower = run.slower(2);
+  fs::create_directories(slower.root);
+  // Half as deep, until 40 s of the bed.
+  std::ofstream to(slower.history());
+  to << "time [s],bed_time [s],bed_scour [m],bed_scour_x [m],bed_scour_y [m],bed_fed [m^3],bed_left [m^3],bed_steps "
+        "[-],bed_unsettled [-]\n";
+  for (int row = 0; row <= 100; ++row) {
+    const double t = 0.4 * row;
+    to << fmt::format("{},{},{},0.25,0.1,0,0,{},0\n", t, t, 0.05 * (1 - std::exp(-t / 20)), row);
+  }
+  to.close();
+  std::ofstream(slower.resolved_case()) << R"([case]
+name = "slower"
+dimension = 2
+[domain]
+from = ["0 m", "-0.1 m"]
+to = ["0.2 m", "0.2 m"]
+periodic = ["x"]
+[[shape]]
+name = "floor"
+kind = "box"
+role = "wall"
+from = ["0 m", "-0.1 m"]
+to = ["0.2 m", "-0.05 m"]
+[[shape]]
+name = "bed"
+kind = "box"
+role = "sediment"
+from = ["0 m", "-0.05 m"]
+to = ["0.2 m", "0 m"]
+[[shape]]
+name = "water"
+kind = "box"
+role = "water"
+from = ["0 m", "0 m"]
+to = ["0.2 m", "0.1 m"]
+[materials.water]
+density = "1000 kg/m^3"
+viscosity = "0.001 Pa s"
+[materials.sand]
+grain_density = "2650 kg/m^3"
+grain_diameter = "1 mm"
+porosity = 0.4
+friction_angle = "32 deg"
+[model]
+sediment = "surface"
+[surface_bed]
+factor = 5
+[numerics]
+spacing = "10 mm"
+[output]
+end = "1 s"
+interval = "0.5 s"
+)";
+  const std::vector<ScourCheck> checks = read_scour_checks(run, main);
+  ASSERT_EQ(checks.size(), 1U);
+  EXPECT_EQ(checks[0].label, "factor 5");
+  EXPECT_NEAR(checks[0].time, 40, 1e-9);
+  EXPECT_NEAR(checks[0].depth, 0.05 * (1 - std::exp(-2)), 1e-9);
+  EXPECT_NEAR(checks[0].of_main, 0.1 * (1 - std::exp(-2)), 3e-4);
+}
+
 TEST_F(ScourRecordTest, IsEmptyForOtherBeds) {
   const fs::path file = history(60);
   case_.model.sediment = SedimentModel::three_state;

@@ -156,4 +156,17 @@ SceneReading read_scene(const Case& scene) {
   return reading;
 }
 
+std::vector<FormulaRow> formula_rows_of(const Case& scene) {
+  const SceneReading reading = read_scene(scene);
+  std::vector<FormulaRow> rows;
+  for (ScourSubject subject : reading.subjects) {
+    Inputs inputs = reading.inputs;
+    inputs.take_over(subject.inputs);
+    subject.inputs = inputs;
+    derive(subject.inputs);
+    for (FormulaRow& row : formula_rows(subject)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 }  // namespace thalweg

@@ -26,4 +26,7 @@ struct SceneReading {
 /// largest value.
 SceneReading read_scene(const Case& scene);
 
+/// The rows of all formulas for what a case shows, without options. A row without its inputs has no value.
+std::vector<FormulaRow> formula_rows_of(const Case& scene);
+
 }  // namespace thalweg

@@ -16,9 +16,18 @@ std::string shown(double value, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
+}  // namespace
+
 std::string limit_text(const LimitLeft& left) {
   return fmt::format("{} {:.3g} {} {:.3g}", left.name, left.value, left.below ? "<" : ">", left.limit);
 }
+
+std::string value_text(const FormulaRow& row) {
+  if (row.value) return shown(*row.value, row.unit);
+  return row.missing.empty() ? "none" : "?";
+}
+
+namespace {
 
 std::vector<std::string> limit_texts(const FormulaRow& row) {
   std::vector<std::string> texts;
@@ -52,11 +61,6 @@ void print_wrapped(std::ostream& to, const std::string& word, const std::vector<
     line += text;
   }
   if (!texts.empty()) fmt::print(to, "{}\n", line);
-}
-
-std::string value_text(const FormulaRow& row) {
-  if (row.value) return shown(*row.value, row.unit);
-  return row.missing.empty() ? "none" : "?";
 }
 
 }  // namespace

@@ -9,6 +9,12 @@
 
 namespace thalweg {
 
+/// The value of a row with its unit; "?" where an input is not known, "none" where the formula gives nothing.
+std::string value_text(const FormulaRow& row);
+
+/// A limit of a formula's range that the scene leaves: "depth/width 0.4 < 1".
+std::string limit_text(const LimitLeft& left);
+
 /// Prints rows for people: by subject, each formula with its value, the limits that are left, its inputs and its
 /// source.
 void print_rows(std::ostream& to, const std::vector<FormulaRow>& rows, const std::vector<std::string>& notes);

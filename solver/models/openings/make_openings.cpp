@@ -76,6 +76,7 @@ class OpeningsOfCase final : public Openings {
       grain_density_ = bed_.density;
       settling_velocity_ = settling_velocity(bed_.size_number(), bed_.diameter, viscosity_);
       reference_level_ = reference_level_of(of);
+      grain_stress_ = grain_stress_of(of);
     }
     for (const Inlet& inlet : of.inlets) add(inlet, of);
     for (const Outlet& outlet : outlets_) {
@@ -325,7 +326,7 @@ class OpeningsOfCase final : public Openings {
       return inlet.concentration_at(height, depth_in(n), means_[n], viscosity_, settling_velocity_);
     }
     const double friction = friction_velocity_of_current(means_[n], depth_in(n), viscosity_, inlet.roughness);
-    return reference_concentration(bed_, friction) *
+    return reference_concentration(bed_, std::sqrt(grain_stress_) * friction) *
            rouse_share(height, reference_level_, depth_in(n), friction, settling_velocity_);
   }
 
@@ -360,6 +361,7 @@ class OpeningsOfCase final : public Openings {
   double grain_density_ = 0;      // [kg/m^3] 0 where water carries no grains
   double settling_velocity_ = 0;  // [m/s] of one grain
   double reference_level_ = 0;    // [m] over the bed
+  double grain_stress_ = 1;       // [-] share of the stress
   Grains bed_;
   std::vector<Outlet> outlets_;
   std::vector<InletColumns> inlets_;

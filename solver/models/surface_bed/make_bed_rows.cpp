@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "case/bed_on_ground.hpp"
 #include "common/error.hpp"
 #include "solver/models/surface_bed/arrays.hpp"
 
@@ -134,14 +135,6 @@ class BedLayer {
     bed.floor[c] = lowest - 0.5 * spacing_;
     for (const std::size_t i : stack.fluid) {
       if (from_.type[i] != ParticleType::sediment) continue;
-      const double due = lowest + static_cast<double>(sediment_[c].size()) * spacing_;
-      if (std::abs(from_.position[i].z() - due) > 0.5 * spacing_) {
-        throw InputError(
-            fmt::format("{}: the sediment at x = {:.4g} m, z = {:.4g} m hangs over water or a wall, and sediment = "
-                        "\"surface\" is one "
-                        "bed on the ground; fill it down to the ground, or write sediment = \"three-state\"",
-                        case_.file.string(), from_.position[i].x(), from_.position[i].z()));
-      }
       sediment_[c].push_back(i);
     }
     bed.grains[c] = bed.packing * bed.area[c] * spacing_ * static_cast<double>(sediment_[c].size());
@@ -295,6 +288,9 @@ int rows_in_reach(double smoothing_length, double spacing) {
   return static_cast<int>(std::ceil(2 * smoothing_length / spacing)) + 1;
 }
 
-LaidBed lay_bed(const Case& of, ParticleSet& particles) { return BedLayer(of, particles).lay(); }
+LaidBed lay_bed(const Case& of, ParticleSet& particles) {
+  require_bed_on_ground(of, particles);
+  return BedLayer(of, particles).lay();
+}
 
 }  // namespace thalweg

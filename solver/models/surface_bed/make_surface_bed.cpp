@@ -250,7 +250,8 @@ class ColumnBed final : public SurfaceBed {
       const double size = std::hypot(x, y);
       shear_[c] = static_cast<float>(size);
       if (!(size > 0)) continue;
-      stress[c] = bed_stress_of(grains_, std::sqrt(size / grains_.water_density), x / size, y / size);
+      const double on_grains = settings_.grain_stress * size;
+      stress[c] = bed_stress_of(grains_, std::sqrt(on_grains / grains_.water_density), x / size, y / size);
     }
     from_ = levels();
     const double elapsed = time - last_step_;

@@ -63,7 +63,9 @@ struct SurfaceSourcePass {
     if (!(size > 0)) return;
     out.friction = sqrtf(size / scene.water_density);
     if (!place.is_bed()) return;
-    const float ready = pick_up_of(scene, size, critical_stress(element, stress, out.friction)) / law.settling_velocity;
+    const float on_grains = scene.surface_bed.grain_stress * size;
+    const float critical = critical_stress(element, stress, sqrtf(on_grains / scene.water_density));
+    const float ready = pick_up_of(scene, on_grains, critical) / law.settling_velocity;
     out.reference = ready < law.packing ? ready : law.packing;
   }
 
