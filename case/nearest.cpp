@@ -26,10 +26,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& candidates) {
   std::optional<std::string> best;
-  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 2) + 1;
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const bool is_beginning = word.size() > 1 && candidate.starts_with(word);  // "spac" means "spacing"
-    const std::size_t distance = is_beginning ? 1 : edit_distance(word, candidate);
+    const bool goes_on = candidate.size() > 3 && word.starts_with(candidate);  // "plants.reed" means "plants"
+    const std::size_t distance = is_beginning || goes_on ? 1 : edit_distance(word, candidate);
     if (distance < best_distance) {
       best = candidate;
       best_distance = distance;

@@ -62,6 +62,6 @@ function(thalweg_cuda_settings target)
   target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:--extended-lambda --expt-relaxed-constexpr
     --ftz=true --prec-div=false --prec-sqrt=false
     -Werror=all-warnings -Xptxas=-v -Xfatbin=-compress-all -Xcompiler=-Wall,-Wextra,-fvisibility=hidden>)
-  target_compile_definitions(${target} PRIVATE THALWEG_VERSION="${PROJECT_VERSION}" EIGEN_NO_CUDA)
+  target_compile_definitions(${target} PRIVATE EIGEN_NO_CUDA)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()

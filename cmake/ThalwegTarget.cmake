@@ -5,7 +5,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 # Programs of a bundle (tools/bundle) find the libraries beside them, and those each other: the old kind of path is inherited.
-set(CMAKE_BUILD_RPATH "$ORIGIN/../lib")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib")
+set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)  # the same path in both: CMake would leave room for another one, an empty element
 add_link_options(-Wl,--disable-new-dtags)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
@@ -22,7 +23,6 @@ function(thalweg_settings target)
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
   # -Wno-restrict: GCC 12 reports it wrongly inside std::string (GCC bug 105329).
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-restrict -Werror)
-  target_compile_definitions(${target} PRIVATE THALWEG_VERSION="${PROJECT_VERSION}")
 endfunction()
 
 function(thalweg_library name)
@@ -34,11 +34,20 @@ endfunction()
 
 function(thalweg_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  add_executable(${name} ${ARG_SOURCES} $<TARGET_OBJECTS:thalweg_build_version>)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   thalweg_settings(${name})
-  install(TARGETS ${name})
+  install(TARGETS ${name} RUNTIME COMPONENT programs)
 endfunction()
+
+# Version and commit, from git, for the programs (common/version.hpp).
+set(THALWEG_BUILD_VERSION "${CMAKE_BINARY_DIR}/build_version.cpp")
+add_custom_target(thalweg_ask_git BYPRODUCTS "${THALWEG_BUILD_VERSION}"
+  COMMAND "${CMAKE_COMMAND}" -D "SOURCE=${PROJECT_SOURCE_DIR}" -D "RELEASE=${PROJECT_VERSION}" -D "OUTPUT=${THALWEG_BUILD_VERSION}"
+          -P "${PROJECT_SOURCE_DIR}/cmake/build_version.cmake" VERBATIM)
+add_library(thalweg_build_version OBJECT "${THALWEG_BUILD_VERSION}")
+thalweg_settings(thalweg_build_version)
+add_dependencies(thalweg_build_version thalweg_ask_git)
 
 # thalweg_test(NAME LABEL label SOURCES … [LINK …]): a GoogleTest program, every test of it registered with CTest under
 # the label unit, backend, pipeline, stability or validation. FIXTURE names what another test has to set up before.

@@ -9,16 +9,27 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
+
+#include "common/console.hpp"
+#include "common/input_errors.hpp"
 
 namespace thalweg {
 namespace {
 
-int report(Exit status, std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');  // users and scripts rely on one line per error
+int report(Exit status, std::vector<std::string> messages) {
   std::fflush(stdout);
-  std::fprintf(stderr, "error: %s\n", message.c_str());
+  for (std::string& message : messages) {
+    std::replace(message.begin(), message.end(), '\n', ' ');  // users and scripts rely on one line per error
+    std::fprintf(stderr, "error: %s\n", message.c_str());
+    log_line("error", message);
+  }
+  print_answer(static_cast<int>(status), messages);
   return static_cast<int>(status);
 }
+
+int report(Exit status, const std::string& message) { return report(status, std::vector<std::string>{message}); }
 
 /// Descriptors 0 to 2 that the caller has closed lead to /dev/null; otherwise the next file that is opened gets their
 /// number, and the log's lines.
@@ -44,8 +55,11 @@ int run_program(int (*body)(int, char**), int argc, char** argv) noexcept {
   if (const auto before = std::signal(SIGUSR1, SIG_IGN); before != SIG_DFL) std::signal(SIGUSR1, before);
   try {
     const int status = body(argc, argv);
+    print_answer(status, {});
     if (brought_out() || status != 0) return status;
     return report(Exit::run_failed, "standard output cannot be written; check the free space where it goes");
+  } catch (const InputErrors& errors) {
+    return report(Exit::input_wrong, errors.messages());
   } catch (const InputError& error) {
     return report(Exit::input_wrong, error.what());
   } catch (const RunError& error) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -14,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "common/console.hpp"
 #include "common/spawn.hpp"
 
 namespace thalweg {
@@ -106,9 +108,11 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildS
   std::array<Descriptor, 2> pipe;
   if (!setup.log.empty()) log = open_log(setup.log);
   if (setup.piped >= 0) pipe = make_pipe();
+  say_detail(fmt::format("starts {}", fmt::join(command, " ")));
   process_ = spawn(command, {.log = log.number(),
                              .pipe = pipe[1].number(),
                              .piped = setup.piped,
+                             .to_stderr = setup.to_stderr,
                              .folder = setup.folder.string(),
                              .own_group = own_group_});
   pipe_ = pipe[0].release();
@@ -185,13 +189,13 @@ void ChildProcess::collect(int options) {
   cpu_seconds_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-int run_in_foreground(const std::vector<std::string>& command) {
+int run_in_foreground(const std::vector<std::string>& command, bool stdout_to_stderr) {
   remembered_signal = 0;
   const Handler interrupt(SIGINT, leave_to_child);
   const Handler terminate(SIGTERM, pass_on);
   const Handler hang_up(SIGHUP, pass_on);
   const Handler write_now(SIGUSR1, pass_on);
-  ChildProcess child(command);
+  ChildProcess child(command, {.to_stderr = stdout_to_stderr});
   foreground_child = child.id();
   if (remembered_signal != 0) kill(child.id(), remembered_signal);  // it came while the child was being started
   const int status = child.wait();

@@ -31,6 +31,7 @@ class StartError : public RunError {
 struct ChildSetup {
   std::filesystem::path log{};     // takes stdout and stderr, and nothing comes from stdin; empty: as this program's
   std::filesystem::path folder{};  // working folder; empty: this program's
+  bool to_stderr = false;          // its stdout goes to this program's stderr
   bool own_group = false;          // a process group of its own: end() then ends also all that the child started
   int piped = -1;                  // descriptor of the child that read_line() reads: 1 is its stdout; -1: none
 };
@@ -76,7 +77,8 @@ class ChildProcess {
 /// Runs `command` to its end in this program's place on the terminal, and returns its exit status, or 128 + n if signal
 /// n ended it. Ctrl-C reaches the child as it reaches this program, which waits for the child to finish in its own way.
 /// SIGTERM, SIGHUP and SIGUSR1, which batch systems send to the parent alone, are passed on. Throws StartError.
-int run_in_foreground(const std::vector<std::string>& command);
+/// With `stdout_to_stderr` this program keeps its stdout for itself.
+int run_in_foreground(const std::vector<std::string>& command, bool stdout_to_stderr = false);
 
 /// Replaces this program by `command`; does not return. Throws StartError.
 [[noreturn]] void become(const std::vector<std::string>& command);

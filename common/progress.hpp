@@ -47,7 +47,19 @@ class ProgressLine {
   Clock::time_point last_ = begun_;
 };
 
-/// "[####......]" of a share done from 0 to 1, 30 characters between the brackets; `rest` stands for what is left.
-std::string progress_bar(double share, char rest);
+/// The progress of a computation, for the text that all programs show.
+struct ProgressFacts {
+  std::string what{};   // "solver"
+  double share = 0;     // done, from 0 to 1
+  double begun_at = 0;  // share with which this program began
+  double elapsed = 0;   // [s] since then
+  std::string facts{};  // the program's own figures
+};
+
+/// "solver [########            ]  40 %  t = 0.2 of 0.5 s, …, 12 s left".
+std::string progress_text(const ProgressFacts& progress);
+
+/// "12 s", "3.5 min", "2.1 h".
+std::string duration_text(double seconds);
 
 }  // namespace thalweg

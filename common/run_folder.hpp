@@ -25,6 +25,8 @@ struct RunFolder {
   [[nodiscard]] std::filesystem::path diverged() const { return root / "diverged.vtp"; }
   /// Carries the lock of the program that writes the folder (run_lock.hpp).
   [[nodiscard]] std::filesystem::path lock() const { return root / ".lock"; }
+  /// The lines of all programs, in order of time (console.hpp).
+  [[nodiscard]] std::filesystem::path log() const { return root / "log.txt"; }
   /// Holds the warnings of the programs (warnings.hpp).
   [[nodiscard]] std::filesystem::path warnings() const { return root / "warnings"; }
   [[nodiscard]] std::filesystem::path profiles() const { return root / "profiles"; }

@@ -52,6 +52,7 @@ void forget_handlers() {
     if (nothing < 0 || dup2(nothing, STDIN_FILENO) < 0) fail(report);
     if (dup2(start.log, STDOUT_FILENO) < 0 || dup2(start.log, STDERR_FILENO) < 0) fail(report);
   }
+  if (start.to_stderr && dup2(STDERR_FILENO, STDOUT_FILENO) < 0) fail(report);
   if (start.piped >= 0 && dup2(start.pipe, start.piped) < 0) fail(report);
   forget_handlers();
   sigprocmask(SIG_SETMASK, &signals, nullptr);

@@ -16,7 +16,8 @@ struct ChildStart {
   int log = -1;   // descriptor that becomes its stdout and stderr, while it reads /dev/null; -1: none
   int pipe = -1;  // descriptor that becomes `piped`; -1: none
   int piped = -1;
-  std::string folder{};  // to work in; empty: this program's
+  bool to_stderr = false;  // stdout goes where stderr goes
+  std::string folder{};    // to work in; empty: this program's
   bool own_group = false;
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "common/console.hpp"
 #include "common/error.hpp"
 #include "common/warnings.hpp"
 #include "foam_reference/foam_library.hpp"
@@ -80,19 +81,20 @@ void run_models(const Case& scene, const RunFolder& run, const ModelOptions& opt
     (void)case_files(checked.foam_case);  // throws
   require_openfoam();
   if (options.check) return;
+  keep_log(run, "foam");
   const WarningFile kept(run, "foam");
   kept.clear();
   const Warn warn = [&](const std::string& line) {
-    fmt::print(stderr, "warning: foam: {}\n", line);
+    thalweg::warn("foam: " + line);
     kept.add(line);
   };
   const std::filesystem::path library = find_library(scene, models);
   for (const Planned& one : plan(scene, models, options, library, warn)) {
     const std::filesystem::path folder = run.foam() / folder_of(one.model, one.coarsening);
-    fmt::print(stderr, "foam: {}, cells of {:g} mm, {} of them\n", name_of(one.model), 1e3 * one.foam_case.plan.cell,
-               one.foam_case.plan.cell_count());
+    say_beside(fmt::format("foam: {}, cells of {:g} mm, {} of them", name_of(one.model), 1e3 * one.foam_case.plan.cell,
+                           one.foam_case.plan.cell_count()));
     if (reference_run(one.foam_case, folder, warn) == Reference::already_there) {
-      fmt::print(stderr, "foam: {} is finished and up to date\n", folder.string());
+      say_beside(fmt::format("foam: {} is finished and up to date", folder.string()));
     }
   }
 }

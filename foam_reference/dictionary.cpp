@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/version.hpp"
+
 namespace thalweg::foam {
 
 std::string number(double value) { return fmt::format("{:.12g}", value); }
@@ -28,8 +30,8 @@ std::string substitute(const std::string& text, const std::map<std::string, std:
 }
 
 std::string origin(const Case& scene, const std::string& comment, const std::string& purpose) {
-  std::string lines = comment + " Written by thalweg-foam " THALWEG_VERSION " from " + scene.file.filename().string() +
-                      " of the case \"" + scene.info.name + "\".\n" + comment +
+  std::string lines = comment + " Written by thalweg-foam " + release_of(version()) + " from " +
+                      scene.file.filename().string() + " of the case \"" + scene.info.name + "\".\n" + comment +
                       " Changes made here are lost at the next run of thalweg-foam; ./Allrun keeps them.\n";
   std::istringstream stream(purpose);
   for (std::string line; std::getline(stream, line);) lines += comment + " " + line + "\n";

@@ -32,9 +32,11 @@ class Progress {
     if (!line_.on_terminal() && percent < shown_ + 10) return;
     shown_ = percent / 10 * 10;
     line_.show([&] {
-      const double left = share > 0 ? line_.elapsed() * (1 - share) / share : 0;
-      return fmt::format("foam: {:3d} %, t = {:.4f} of {:g} s, step {}, dt {:.2g} s, {:.0f} s left", percent,
-                         steps.back().time, end_, steps.size(), steps.back().dt, left);
+      return progress_text({.what = "foam",
+                            .share = share,
+                            .elapsed = line_.elapsed(),
+                            .facts = fmt::format("t = {:.4f} of {:g} s, step {}, dt {:.2g} s", steps.back().time, end_,
+                                                 steps.size(), steps.back().dt)});
     });
   }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "common/console.hpp"
 #include "common/error.hpp"
 #include "common/process.hpp"
 #include "common/profile.hpp"
@@ -61,11 +62,11 @@ void clean(const fs::path& folder, const FoamCase& foam_case) {
 }
 
 void report(const std::vector<VolumeBalance>& balances, const FoamRun& run, const Warn& warn) {
-  fmt::print(stderr, "foam: {} steps in {:.1f} s ({:.1f} s CPU)", run.steps.size(), run.wall_seconds, run.cpu_seconds);
-  for (const VolumeBalance& balance : balances) {
-    fmt::print(stderr, ", {} volume {:+.1e}", balance.phase, balance.relative_error());
-  }
-  fmt::print(stderr, "\n");
+  std::string line =
+      fmt::format("foam: {} steps in {:.1f} s ({:.1f} s CPU)", run.steps.size(), run.wall_seconds, run.cpu_seconds);
+  for (const VolumeBalance& balance : balances)
+    line += fmt::format(", {} volume {:+.1e}", balance.phase, balance.relative_error());
+  say_beside(line);
   for (const VolumeBalance& balance : balances) {
     if (std::abs(balance.relative_error()) <= volume_tolerance) continue;
     warn(fmt::format(

@@ -2,6 +2,7 @@
 
 #include "case/reader/case_file.hpp"
 #include "common/csv.hpp"
+#include "common/version.hpp"
 
 namespace thalweg::foam {
 namespace {
@@ -112,7 +113,7 @@ void write_summary(const FoamCase& foam_case, const fs::path& file, const FoamRu
   Summary summary;
   summary.row("case", foam_case.scene.info.name);
   summary.row("case_hash", hash_of(foam_case.scene));
-  summary.row("code_version", THALWEG_VERSION);
+  summary.row("code_version", version());
   summary.row("mesh_model", name_of(foam_case.model));
   summary.row("model", sentence_of(foam_case));
   summary.row("openfoam_version", run.openfoam_version);

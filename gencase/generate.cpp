@@ -12,6 +12,7 @@
 #include "case/scales.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "common/version.hpp"
 #include "gencase/checks.hpp"
 #include "gencase/closure.hpp"
 #include "gencase/coverage.hpp"
@@ -80,7 +81,7 @@ double column_gravity(const Case& scene, const Notes& notes) {
 ParticleSet allocate(const Case& resolved, const std::vector<PlacedShape>& shapes, const Filling& filling) {
   ParticleSet set;
   set.info = {resolved.info.name,
-              THALWEG_VERSION,
+              version(),
               hash_of(resolved),
               resolved.info.dimension,
               resolved.numerics.spacing,

@@ -3,13 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "case/reader/case_file.hpp"
 #include "common/command_line.hpp"
+#include "common/console.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/run_results.hpp"
+#include "common/particle_words.hpp"
 #include "common/run_folder.hpp"
 #include "common/run_lock.hpp"
 #include "common/warnings.hpp"
@@ -24,12 +27,9 @@ namespace fs = std::filesystem;
 
 thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check) {
   thalweg::gencase::GenerateOptions options;
-  options.notes.say = [](const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);  // the number of particles is shown before their memory is allocated
-  };
+  options.notes.say = [](const std::string& line) { thalweg::say(line); };
   options.notes.warn = [folder, check](const std::string& line) {
-    fmt::print(stderr, "warning: {}\n", line);
+    thalweg::warn(line);
     if (!check) thalweg::WarningFile({folder}, "gencase").add(line);
   };
   if (!check)
@@ -40,6 +40,17 @@ thalweg::gencase::GenerateOptions options_for(const fs::path& folder, bool check
     };
   options.progress = true;
   return options;
+}
+
+/// The scene as --json tells it: how many particles of which kind.
+std::string result_of(const Case& scene, const thalweg::gencase::Generated& generated, const std::string& folder) {
+  nlohmann::ordered_json result{{"case", scene.info.name}, {"dimension", scene.info.dimension}};
+  result["spacing"] = scene.numerics.spacing;
+  if (!folder.empty()) result["folder"] = folder;
+  const auto counts = thalweg::count_by_type(generated.particles);
+  for (std::size_t type = 0; type < counts.size(); ++type)
+    result["particles"][thalweg::type_words[type]] = counts[type];
+  return result.dump(2);
 }
 
 void ask_for_repair(Case& scene) {
@@ -74,19 +85,22 @@ int gencase(int argc, char** argv) {
     if (!force) thalweg::refuse_to_replace(folder, "fill another folder (--out), or replace it with --force");
     thalweg::remove_dead_parts(folder.root);
     thalweg::forget_warnings(folder);
+    thalweg::forget_log(folder);
+    thalweg::keep_log(folder, "gencase");
   }
   const auto begin = std::chrono::steady_clock::now();
   const thalweg::gencase::Generated generated = thalweg::gencase::generate(scene, options_for(folder.root, check));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  fmt::print("{}{} lattice points in {:.2f} s\n", thalweg::gencase::report(generated), generated.summary.lattice_nodes,
-             seconds);
+  thalweg::say(fmt::format("{}{} lattice points in {:.2f} s", thalweg::gencase::report(generated),
+                           generated.summary.lattice_nodes, seconds));
+  thalweg::set_result(result_of(scene, generated, check ? "" : folder.root.string()));
   if (check) {
-    fmt::print("checked only: nothing written\n");
+    thalweg::say("checked only: nothing written");
     return static_cast<int>(thalweg::Exit::done);
   }
   thalweg::write_particles(folder.particles(), generated.particles, thalweg::PositionPrecision::double_precision);
   thalweg::write_case(folder.resolved_case(), generated.resolved);
-  fmt::print("written: {} and {}\n", folder.particles().string(), folder.resolved_case().string());
+  thalweg::say(fmt::format("written: {} and {}", folder.particles().string(), folder.resolved_case().string()));
   return static_cast<int>(thalweg::Exit::done);
 }
 

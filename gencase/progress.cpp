@@ -1,14 +1,12 @@
 #include "gencase/progress.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace thalweg::gencase {
 namespace {
 
 std::string text_of(const std::string& name, double share) {
-  return fmt::format("{} {:3.0f} % {}", progress_bar(share, ' '), 100 * share, name);
+  return progress_text({.what = "gencase", .share = share, .facts = name});
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class Progress {
   void finish();
 
  private:
-  ProgressLine line_{{.width = 69, .quiet = std::chrono::seconds(2)}};
+  ProgressLine line_{{.width = 80, .quiet = std::chrono::seconds(2)}};
   bool visible_;
   std::string name_;
   std::int64_t total_ = 1;

@@ -12,6 +12,7 @@
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/memory.hpp"
+#include "common/version.hpp"
 #include "postproc/snapshot_files.hpp"
 
 namespace thalweg {
@@ -75,9 +76,9 @@ std::string MeasurePass::name_of_file(const SeriesEntry& entry) const {
 
 // All that the results depend on besides their snapshot.
 std::string MeasurePass::description() const {
-  std::string text = fmt::format(
-      "made by thalweg-postproc " THALWEG_VERSION " from the case {}, first snapshot {}; surfaces {}",
-      hash_of(settings_.resolved), version_of(entries_.front().file), settings_.surfaces ? "written" : "not written");
+  std::string text = fmt::format("made by thalweg-postproc {} from the case {}, first snapshot {}; surfaces {}",
+                                 version(), hash_of(settings_.resolved), version_of(entries_.front().file),
+                                 settings_.surfaces ? "written" : "not written");
   for (const ProfileLine& line : settings_.lines) {
     text += fmt::format("; {} {} {}", line.name, fmt::join(line.from, " "), fmt::join(line.to, " "));
   }

@@ -4,9 +4,11 @@
 
 #include <cstdio>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "case/reader/case_file.hpp"
 #include "common/app/scour/scene.hpp"
+#include "common/console.hpp"
 #include "common/run_folder.hpp"
 #include "common/warnings.hpp"
 #include "common/whole_file.hpp"
@@ -59,23 +61,23 @@ ExtractionOptions extraction_options(const PostprocessOptions& options, const Ca
 }
 
 void print_extraction(const ExtractionRun& extraction, const RunFolder& run) {
-  fmt::print("{} snapshots{}, {} profiles in {}\n", extraction.fronts.size(),
-             extraction.reused > 0 ? fmt::format(" ({} as an earlier pass left them)", extraction.reused) : "",
-             extraction.written.size(), run.profiles().string());
+  say(fmt::format("{} snapshots{}, {} profiles in {}", extraction.fronts.size(),
+                  extraction.reused > 0 ? fmt::format(" ({} as an earlier pass left them)", extraction.reused) : "",
+                  extraction.written.size(), run.profiles().string()));
 }
 
 void print_comparison(const ReportInput& input) {
-  for (const std::string& note : input.reference_notes) fmt::print("{}\n", note);
-  fmt::print("{}", table_of(input.comparison));
-  for (const std::string& remark : input.comparison.remarks) fmt::print("  {}\n", remark);
+  for (const std::string& note : input.reference_notes) say(note);
+  if (const std::string table = table_of(input.comparison); !table.empty()) say(table);
+  for (const std::string& remark : input.comparison.remarks) say("  " + remark);
 }
 
 // False if there is no frame.
 bool draw_movie(ReportInput& input) {
   const Movie movie = make_movie(input.run, input.resolved);
   if (movie.frames > 0) {
-    fmt::print("\nmovie: {} frames in {}{}\n", movie.frames, (input.run.root / "movie").string(),
-               movie.film.empty() ? "" : ", " + movie.film.string());
+    say(fmt::format("\nmovie: {} frames in {}{}", movie.frames, (input.run.root / "movie").string(),
+                    movie.film.empty() ? "" : ", " + movie.film.string()));
   }
   input.warnings.insert(input.warnings.end(), movie.warnings.begin(), movie.warnings.end());
   return movie.frames > 0;
@@ -102,8 +104,18 @@ bool make_report(ReportInput& input, bool in_space) {
   if (!drawn) {
     input.warnings.emplace_back("gnuplot is not installed, so there are no pictures; apt-get install gnuplot-nox");
   }
-  fmt::print("\nreport: {}\n", (run.report() / "index.html").string());
+  say(fmt::format("\nreport: {}", (run.report() / "index.html").string()));
   return drawn;
+}
+
+/// The pass as --json tells it.
+std::string result_of(const ReportInput& input, bool with_report) {
+  nlohmann::ordered_json result{
+      {"folder", input.run.root.string()},           {"case", input.resolved.info.name},
+      {"snapshots", input.extraction.fronts.size()}, {"profiles", input.run.profiles().string()},
+      {"time", input.extraction.last_time},          {"warnings", input.warnings}};
+  if (with_report) result["report"] = (input.run.report() / "index.html").string();
+  return result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -111,6 +123,7 @@ bool make_report(ReportInput& input, bool in_space) {
 Exit postprocess(const PostprocessOptions& options) {
   const RunFolder run = existing_run(options.folder);
   remove_dead_parts(run.root);
+  keep_log(run, "postproc");
   ReportInput input;
   input.run = run;
   input.resolved = read_case(run.resolved_case());
@@ -136,10 +149,11 @@ Exit postprocess(const PostprocessOptions& options) {
   write_errors(run.report(), input.comparison);
 
   bool complete = !input.extraction.damaged;
-  if (options.paper_figures) fmt::print("\nfigures: {}\n", write_paper_figures(input, options.series).string());
+  if (options.paper_figures) say(fmt::format("\nfigures: {}", write_paper_figures(input, options.series).string()));
   if (options.movie) complete = draw_movie(input) && complete;
   if (options.report || options.in_space) complete = make_report(input, options.in_space) && complete;
-  for (const std::string& warning : input.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : input.warnings) warn(warning);
+  set_result(result_of(input, options.report || options.in_space));
   return complete ? Exit::done : Exit::run_failed;
 }
 

@@ -7,8 +7,10 @@ namespace thalweg {
 void SnapshotProgress::show(std::size_t done, double time) {
   line_.show([&] {
     const double share = static_cast<double>(done) / static_cast<double>(total_);
-    return fmt::format("snapshots {} {} of {}, t = {:g} s, {:.0f} s", progress_bar(share, '.'), done, total_, time,
-                       line_.elapsed());
+    return progress_text({.what = "postproc",
+                          .share = share,
+                          .elapsed = line_.elapsed(),
+                          .facts = fmt::format("snapshot {} of {}, t = {:g} s", done, total_, time)});
   });
 }
 

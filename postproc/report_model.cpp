@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/units.hpp"
+#include "common/version.hpp"
 #include "postproc/constants.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
@@ -175,7 +176,7 @@ std::string provenance(const ReportInput& input) {
   text += html::table(
       {},
       {{"solver", escape("thalweg " + info.code_version)},
-       {"post-processing", "thalweg-postproc " THALWEG_VERSION},
+       {"post-processing", escape("thalweg-postproc " + version())},
        {"hash of the case", "<code>" + escape(info.case_hash) + "</code>"},
        {"case file", "<code>" + escape(input.resolved.file.string()) + "</code>"},
        {"to make this page again", fmt::format("<code>thalweg-postproc {}{} {}</code>", escape(input.run.root.string()),

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "common/version.hpp"
 #include "postproc/line_profile.hpp"
 
 namespace thalweg {
@@ -16,7 +17,7 @@ std::vector<std::string> comments_of(const SnapshotResults& results, const std::
   std::vector<std::string> comments{
       fmt::format("case {}, t = {:g} s, step {}, particle spacing {:g} m, smoothing length {:g} m", info.case_name,
                   info.time, info.step, info.spacing, info.smoothing_length),
-      fmt::format("written by thalweg-postproc " THALWEG_VERSION " from a run of thalweg {} on the case with hash {}",
+      fmt::format("written by thalweg-postproc {} from a run of thalweg {} on the case with hash {}", version(),
                   info.code_version, info.case_hash),
       fmt::format(
           "method: 0.5 crossing of the kernel sum of volume (Wendland C2, h = {:g} m) on a grid of {:g} m, bodies "

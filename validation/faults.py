@@ -2,6 +2,9 @@
 
 import argparse
 import difflib
+import json
+import os
+import pathlib
 import signal
 import sys
 
@@ -21,7 +24,32 @@ def nearest(word, words):
 
 
 class Arguments(argparse.ArgumentParser):
-    """Options whose errors are one line, as those of the other programs."""
+    """Options whose errors are one line, as those of the other programs, and that --describe tells for completion and manual."""
+
+    def __init__(self, *args, **options):
+        super().__init__(*args, **options)
+        self.add_argument("--version", action="store_true", help="prints version, commit and what is installed")
+
+    def parse_args(self, args=None, namespace=None):
+        given = sys.argv[1:] if args is None else args
+        if given == ["--describe"]:
+            print(json.dumps(self.description_of_options()))
+            raise SystemExit(0)
+        if "--version" in given:
+            thalweg = str(pathlib.Path(sys.argv[0]).resolve().parent / "thalweg")
+            os.execv(thalweg, [thalweg, "--version"])
+        return super().parse_args(args, namespace)
+
+    def description_of_options(self):
+        """What common/command_line.cpp tells of a program in C++."""
+        options = []
+        for action in self._actions:
+            takes_value = action.nargs != 0
+            words = "|".join(map(str, action.choices or [])) or action.metavar or action.dest.upper()
+            options.append({"names": action.option_strings, "place": "" if action.option_strings else words,
+                            "value": words if takes_value and action.option_strings else "",
+                            "meaning": (action.help or "") % {**vars(action), "prog": self.prog}})
+        return {"name": self.prog, "meaning": self.description or "", "options": options}
 
     def error(self, message):
         raise InputError(f"{self.prog}: {message}; see {self.prog} --help")

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "case/reader/mistakes.hpp"
 #include "case/reader/read_tables.hpp"
 #include "case/reader/toml.hpp"
 #include "common/error.hpp"
@@ -53,7 +54,9 @@ Case read_case(const fs::path& case_path, const std::vector<std::string>& overri
   if (std::any_of(path.begin(), path.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }))
     throw InputError("the path of the case holds a line end or another control character; rename the file or folder");
   toml::table root = parse_case_toml(file);
-  for (const std::string& text : overrides) apply_override(root, text, tables);
+  Mistakes mistakes;
+  for (const std::string& text : overrides) mistakes.attempt([&] { apply_override(root, text, tables); });
+  mistakes.throw_any();
 
   Case result;
   result.file = file;

@@ -29,6 +29,12 @@ std::string hash_of_text(std::string_view text);
 /// Throws InputError with the nearest known key when there is none.
 void explain(std::ostream& to, const std::string& key);
 
+/// The same as a JSON object: {"keys": [{"key", "kind", "unit", "default", "lowest", "highest", "meaning", "words"}]}, and for a word
+/// of the field "answer".
+std::string explain_json(const std::string& key);
+/// The full names of all keys, as --set takes them where a table occurs once: "numerics.spacing".
+std::vector<std::string> key_names();
+
 /// The same declarations as docs/case-file.md and as a JSON schema for editors.
 void write_key_reference(std::ostream& markdown);
 void write_key_schema(std::ostream& json);

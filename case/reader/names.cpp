@@ -15,7 +15,8 @@ namespace {
 
 class NameCheck {
  public:
-  NameCheck(const Declarations& tables, const std::string& file) : tables_(tables), file_(file) {}
+  NameCheck(const Declarations& tables, const std::string& file, Mistakes& mistakes)
+      : tables_(tables), file_(file), mistakes_(mistakes) {}
 
   void all(const toml::table& root) const {
     const std::vector<std::string> groups = groups_of(tables_);
@@ -28,7 +29,7 @@ class NameCheck {
       } else if (const TableDeclaration* declared = find_table(tables_, name); declared != nullptr && one_word) {
         table(*declared, name, node);
       } else {
-        reject_unknown_table(name, node);
+        mistakes_.attempt([&] { reject_unknown_table(name, node); });
       }
     }
   }
@@ -49,7 +50,10 @@ class NameCheck {
     for (const auto& [entry, values] : as_table(node, name)) {
       const std::string path = fmt::format("{}.{}", name, entry.str());
       const TableDeclaration* declared = find_table(tables_, path);
-      if (declared == nullptr) reject_unknown_table(path, values);
+      if (declared == nullptr) {
+        mistakes_.attempt([&] { reject_unknown_table(path, values); });
+        continue;
+      }
       keys(as_table(values, path), *declared, path);
     }
   }
@@ -87,12 +91,31 @@ class NameCheck {
     for (const auto& [name, node] : table) {
       const std::string key(name.str());
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-      std::string cure = fmt::format("the keys of {} are {}", path, fmt::join(known, ", "));
-      if (const auto near = nearest(key, known)) cure = fmt::format("did you mean {}.{}?", path, *near);
-      if (const auto elsewhere = key_elsewhere(key); !elsewhere.empty()) cure = elsewhere;
       const bool already_named = where(node).starts_with("--set ");
-      reject_case(where(node), already_named ? "unknown key" : fmt::format("unknown key {}.{}", path, key), cure);
+      mistakes_.note_unknown_key(path);
+      mistakes_.attempt([&, &value = node] {
+        reject_case(where(value), already_named ? "unknown key" : fmt::format("unknown key {}.{}", path, key),
+                    cure_of(key, known, path));
+      });
     }
+  }
+
+  [[nodiscard]] std::string cure_of(const std::string& key, const std::vector<std::string>& known,
+                                    const std::string& path) const {
+    const std::vector<std::string> of_this_table = with_part(key, known);
+    if (!of_this_table.empty())
+      return fmt::format("did you mean {0}.{1}?", path, fmt::join(of_this_table, fmt::format(" or {}.", path)));
+    if (const auto elsewhere = key_elsewhere(key); !elsewhere.empty()) return elsewhere;
+    if (const auto near = nearest(key, known)) return fmt::format("did you mean {}.{}?", path, *near);
+    return fmt::format("the keys of {} are {}", path, fmt::join(known, ", "));
+  }
+
+  // The keys of which a word is a part: "density" of "grain_density".
+  static std::vector<std::string> with_part(const std::string& word, const std::vector<std::string>& known) {
+    std::vector<std::string> found;
+    for (const std::string& key : known)
+      if (key.ends_with("_" + word) || key.starts_with(word + "_")) found.push_back(key);
+    return found;
   }
 
   // The cure where some table has a key of this name; empty otherwise.
@@ -100,7 +123,9 @@ class NameCheck {
     std::string cure;
     for (const TableDeclaration& table : tables_) {
       for (const KeyDeclaration& key : table.keys) {
-        if (key.name == name) cure = fmt::format("did you mean {}?", key.full_name());
+        if (key.name != name) continue;
+        cure = fmt::format("did you mean {}?", key.full_name());
+        mistakes_.note_unknown_key(table.name);
       }
     }
     return cure;
@@ -123,7 +148,10 @@ class NameCheck {
     const std::vector<std::string> known = known_tables();
     const bool is_table = node.is_table() || node.is_array();
     std::string cure = fmt::format("the tables are {}", fmt::join(known, ", "));
-    if (const auto near = nearest(name, known)) cure = fmt::format("did you mean {}?", *near);
+    if (const auto near = nearest(name, known)) {
+      cure = fmt::format("did you mean {}?", *near);
+      mistakes_.note_unknown_key(*near);
+    }
     if (const auto elsewhere = key_elsewhere(name); !is_table && !elsewhere.empty()) cure = elsewhere;
     reject_case(where(node), fmt::format("unknown {} {}", is_table ? "table" : "key", name), cure);
   }
@@ -138,12 +166,13 @@ class NameCheck {
 
   const Declarations& tables_;
   const std::string& file_;
+  Mistakes& mistakes_;
 };
 
 }  // namespace
 
-void check_names(const toml::table& root, const Declarations& tables, const std::string& file) {
-  NameCheck(tables, file).all(root);
+void check_names(const toml::table& root, const Declarations& tables, const std::string& file, Mistakes& mistakes) {
+  NameCheck(tables, file, mistakes).all(root);
 }
 
 }  // namespace thalweg

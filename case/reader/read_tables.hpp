@@ -5,10 +5,13 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/check_context.hpp"
 #include "case/reader/declare.hpp"
+#include "case/reader/lenient_reader.hpp"
+#include "case/reader/mistakes.hpp"
 #include "case/reader/names.hpp"
 #include "case/reader/table_reader.hpp"
 #include "case/tables/given_words.hpp"
@@ -25,8 +28,8 @@ template <class C>
 class TablesReader {
  public:
   TablesReader(const toml::table& root, const Declarations& tables, const GivenWords& given, CaseOrigins& origins,
-               C& into)
-      : root_(root), tables_(tables), given_(given), origins_(origins), into_(into) {}
+               Mistakes& mistakes, C& into)
+      : root_(root), tables_(tables), given_(given), origins_(origins), mistakes_(mistakes), into_(into) {}
 
   void read() {
     for_each_table(into_, [&](auto& member) { read_member(member); });
@@ -39,16 +42,26 @@ class TablesReader {
   }
 
   void check() const {
+    bool goes_on = true;
     for_each_table(into_, [&]<class Member>(const Member& member) {
       using T = typename TableTraits<Member>::Entry;
-      check_entries(member);
-      if constexpr (requires { &T::check_all; }) T::check_all(into_, context(T::heading.name, T::heading.name));
+      if (!goes_on) return;
+      if (!check_entries(member)) {
+        goes_on =
+            std::string_view(T::heading.name) != "domain";  // against which shapes, openings and gauges are checked
+        return;
+      }
+      if constexpr (requires { &T::check_all; }) {
+        mistakes_.attempt([&] { T::check_all(into_, context(T::heading.name, T::heading.name)); });
+      }
     });
   }
 
   void read_files() {
     for_each_entry(into_, [&]<class T>(const EntryPlace&, T& table) {
-      if constexpr (requires { &T::read_files; }) table.read_files(given_.folder);
+      if constexpr (requires { &T::read_files; }) {
+        mistakes_.attempt([&] { table.read_files(given_.folder); });
+      }
     });
   }
 
@@ -56,7 +69,7 @@ class TablesReader {
   template <class T>
   void read_entry(T& table, const toml::table* from, const std::string& path) {
     if constexpr (requires { &T::set_defaults; }) table.set_defaults(given_);
-    TableReader reader(from, path, into_.dimension(), origins_);
+    LenientReader reader(TableReader(from, path, into_.dimension(), origins_), mistakes_);
     table.describe(reader);
   }
 
@@ -92,14 +105,17 @@ class TablesReader {
     }
   }
 
+  // False if one of them is wrong: what its table has to say of all entries together would follow from that.
   template <class Member>
-  void check_entries(const Member& member) const {
+  bool check_entries(const Member& member) const {
     using T = typename TableTraits<Member>::Entry;
+    bool right = true;
     if constexpr (requires { &T::check; }) {
       for_each_entry_of(member, [&](const EntryPlace& place, const T& table) {
-        table.check(into_, context(place.path(), T::heading.name));
+        right = mistakes_.attempt([&] { table.check(into_, context(place.path(), T::heading.name)); }) && right;
       });
     }
+    return right;
   }
 
   [[nodiscard]] CheckContext context(std::string path, const char* table) const {
@@ -110,22 +126,28 @@ class TablesReader {
   const Declarations& tables_;
   const GivenWords& given_;
   CaseOrigins& origins_;
+  Mistakes& mistakes_;
   C& into_;
 };
 
 /// Fills the tables of `into` from `root` and checks them: names first, then every value for itself, then what
 /// contradicts each other. `folder` is the one of the case; the places of keys go to `origins`, whose `file` and
-/// `resolved` the caller sets. Throws InputError "where: what is wrong; what to do".
+/// `resolved` the caller sets. Throws InputError with all mistakes of names and values, or else all contradictions, each as "where:
+/// what is wrong; what to do".
 template <class C>
 void read_tables(const toml::table& root, const Declarations& tables, const std::filesystem::path& folder,
                  CaseOrigins& origins, C& into) {
-  check_names(root, tables, origins.file);
+  Mistakes mistakes;
+  if (!mistakes.attempt([&] { check_names(root, tables, origins.file, mistakes); })) mistakes.throw_any();
   const GivenWords given = given_words(root, folder, origins);
-  TablesReader<C> reader(root, tables, given, origins, into);
+  TablesReader<C> reader(root, tables, given, origins, mistakes, into);
   reader.read();
+  mistakes.throw_any();
   reader.complete();
   reader.check();
+  mistakes.throw_any();
   reader.read_files();
+  mistakes.throw_any();
 }
 
 }  // namespace thalweg

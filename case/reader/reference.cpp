@@ -4,10 +4,13 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
 #include <ostream>
 
 #include "case/nearest.hpp"
 #include "case/reader/case_file.hpp"
+#include "case/reader/field_words.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
 
@@ -127,32 +130,98 @@ std::string default_text(const KeyDeclaration& key, TableForm form) {
   return form == TableForm::repeated ? "required by some kinds" : "required";
 }
 
-void explain(std::ostream& to, const std::string& key, const Declarations& tables) {
-  std::vector<std::string> known;
+namespace {
+
+/// Prints the tables and keys of this name; false if there are none. An empty name means all.
+bool explain_named(std::ostream& to, const std::string& key, const Declarations& tables) {
   bool found = false;
   const TableDeclaration* whole_table = find_table(tables, key);
   const auto dot = key.rfind('.');
   const TableDeclaration* table_of_key = dot == std::string::npos ? nullptr : find_table(tables, key.substr(0, dot));
   for (const TableDeclaration& table : tables) {
-    known.push_back(table.name);
     if (key.empty() || whole_table == &table) {
       explain_table(to, table);
       found = true;
     }
     for (const KeyDeclaration& declared : table.keys) {
-      known.push_back(declared.full_name());
-      known.push_back(declared.name);
       const bool meant = key == declared.name || (table_of_key == &table && key.substr(dot + 1) == declared.name);
       if (!meant) continue;
       explain_key(to, declared, table.form);
       found = true;
     }
   }
+  return found;
+}
+
+void explain_field_word(std::ostream& to, const FieldWord& entry, const Declarations& tables) {
+  fmt::print(to, "{}\n\n", entry.answer);
+  for (const std::string& key : entry.keys) {
+    const TableDeclaration* table = find_table(tables, key);
+    if (table == nullptr) {
+      explain_named(to, key, tables);
+      continue;
+    }
+    fmt::print(to, "{}\n  {}\n  keys: {}\n  `thalweg explain {}` tells them all\n", table->title(), table->meaning,
+               fmt::join(table->key_names(), ", "), key);
+  }
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// After a key's own lines: the keys that carry its name in theirs, as grain_density carries density.
+void explain_relatives(std::ostream& to, const std::string& key, const Declarations& tables) {
+  std::vector<std::string> names;
+  for (const TableDeclaration& table : tables) {
+    for (const KeyDeclaration& declared : table.keys)
+      if (declared.name.ends_with("_" + key)) names.push_back(declared.full_name());
+  }
+  if (!names.empty()) fmt::print(to, "see also {}\n", fmt::join(names, ", "));
+}
+
+/// The keys whose name or sentence holds a word, in a line each; false if there are none. Short words stand in too many.
+bool explain_mentions(std::ostream& to, const std::string& word, const Declarations& tables) {
+  constexpr std::size_t shortest = 4;
+  constexpr std::size_t most = 12;
+  if (word.size() < shortest) return false;
+  std::vector<std::string> lines;
+  for (const TableDeclaration& table : tables) {
+    for (const KeyDeclaration& key : table.keys) {
+      const bool holds =
+          key.name.find(lower(word)) != std::string::npos || lower(key.sentence).find(lower(word)) != std::string::npos;
+      if (holds) lines.push_back(fmt::format("  {}: {}\n", key.full_name(), key.sentence));
+    }
+  }
+  if (lines.empty() || lines.size() > most) return false;
+  fmt::print(to, "there is no key {}; these keys speak of it:\n{}", word, fmt::join(lines, ""));
+  return true;
+}
+
+}  // namespace
+
+void explain(std::ostream& to, const std::string& key, const Declarations& tables) {
+  const FieldWord* entry = find_table(tables, key) != nullptr ? nullptr : find_field_word(key);
+  if (entry != nullptr) explain_field_word(to, *entry, tables);
+  const bool found = entry != nullptr || explain_named(to, key, tables);
+  if (found && entry == nullptr) explain_relatives(to, key, tables);
   for (const TableDeclaration& table : tables) {
     if (table.explain_further != nullptr) table.explain_further(to, key);
   }
   if (found) return;
+  std::vector<std::string> known;
+  for (const TableDeclaration& table : tables) {
+    known.push_back(table.name);
+    for (const KeyDeclaration& declared : table.keys) {
+      known.push_back(declared.full_name());
+      known.push_back(declared.name);
+    }
+  }
+  for (const FieldWord& word : field_words()) known.insert(known.end(), word.words.begin(), word.words.end());
   const auto near = nearest(key, known);
+  const bool is_beginning = near && near->starts_with(key);  // "viscous": more keys than the nearest may be meant
+  if ((!near || is_beginning) && explain_mentions(to, key, tables)) return;
   throw InputError(fmt::format("explain: there is no key or table {}; {}", key,
                                near ? fmt::format("did you mean {}?", *near) : "`thalweg explain` lists them all"));
 }

@@ -10,6 +10,7 @@
 
 #include "case/check_context.hpp"
 #include "case/nearest.hpp"
+#include "case/reader/mistakes.hpp"
 #include "case/reader/toml.hpp"
 #include "case/tables/table.hpp"
 #include "common/error.hpp"
@@ -182,8 +183,9 @@ class TableReader {
   }
 
   void missing(const char* key, const std::string& example) const {
-    reject_case(origins_.where(path_), fmt::format("{} is missing", full(key)),
-                fmt::format("add {} = {} to [{}]", key, example, path_));
+    throw MissingKey(
+        fmt::format("{}: {} is missing; add {} = {} to [{}]", origins_.where(path_), full(key), key, example, path_),
+        path_);
   }
 
   [[nodiscard]] std::string text_of(const toml::node& node, const std::string& name) const {

@@ -8,6 +8,7 @@
 
 #include "case/reader/case_file.hpp"
 #include "case/reader/write_tables.hpp"
+#include "common/version.hpp"
 #include "common/whole_file.hpp"
 
 namespace thalweg {
@@ -20,8 +21,7 @@ std::string toml_text(const std::string& text) {
 
 void write_case(const std::filesystem::path& file, const Case& resolved) {
   write_whole_text(file, [&](std::ostream& to) {
-    fmt::print(to,
-               "# The case as it was resolved: every key with its value. Written by thalweg " THALWEG_VERSION ".\n");
+    fmt::print(to, "# The case as it was resolved: every key with its value. Written by thalweg {}.\n", version());
     fmt::print(to, "\n[resolved]\nfolder = {}\n", toml_text(resolved.folder.string()));
     if (!resolved.file_hashes.empty()) fmt::print(to, "\n[resolved.files]\n");
     for (const auto& [name, hash] : resolved.file_hashes) {

@@ -14,6 +14,7 @@
 #include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/memory.hpp"
+#include "common/particle_words.hpp"
 #include "common/run_folder.hpp"
 #include "common/units.hpp"
 
@@ -21,9 +22,6 @@ namespace thalweg {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array type_names{"wall", "moving wall", "water", "sediment"};
-constexpr std::array state_names{"other", "deposit", "bed load", "suspended"};
 
 std::string megabytes(double bytes) { return fmt::format("{:.3g} MB", bytes / 1e6); }
 
@@ -49,7 +47,7 @@ void print_types(std::ostream& to, const ParticleSet& p) {
   const double cell = std::pow(p.info.spacing, p.info.dimension);  // volume of a particle at the start
   for (std::size_t type = 0; type < counts.size(); ++type) {
     if (counts[type] == 0) continue;
-    fmt::print(to, "  {:<12}{:>12}", type_names[type], counts[type]);
+    fmt::print(to, "  {:<12}{:>12}", type_words[type], counts[type]);
     fmt::print(to, "  {:.6g} {}", static_cast<double>(counts[type]) * cell, plane ? "m^2" : "m^3");
     if (!p.mass.empty()) fmt::print(to, "  {:.6g} {}", masses[type], unit);
     fmt::print(to, "\n");
@@ -61,7 +59,7 @@ void print_types(std::ostream& to, const ParticleSet& p) {
     if (p.type[i] == ParticleType::sediment) ++states[static_cast<std::size_t>(p.state[i])];
   }
   for (std::size_t state = 1; state < states.size(); ++state) {
-    if (states[state] > 0) fmt::print(to, "  sediment, {}: {}\n", state_names[state], states[state]);
+    if (states[state] > 0) fmt::print(to, "  sediment, {}: {}\n", state_words[state], states[state]);
   }
 }
 

@@ -8,10 +8,12 @@
 #include <chrono>
 #include <climits>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "case/reader/case_file.hpp"
 #include "case/reader/differences.hpp"
 #include "common/app/programs.hpp"
+#include "common/console.hpp"
 #include "common/error.hpp"
 #include "common/io/run_results.hpp"
 #include "common/process.hpp"
@@ -108,11 +110,6 @@ void require_short_path(const RunFolder& run) {
                   run.root.string().substr(0, 40), length, PATH_MAX - room));
 }
 
-void announce(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);  // before the stage's own lines
-}
-
 /// The reason why there is no mesh model of the scene here, in a line; empty if there is one. It costs a moment, where the
 /// particles may take hours.
 std::string reason_against_foam(const PipelineOptions& options, const Words& overrides) {
@@ -131,34 +128,65 @@ bool has_failed(int status) {
   return status == static_cast<int>(Exit::run_failed) || status == static_cast<int>(Exit::input_wrong);
 }
 
+/// The options of this program that hold for the stages too. Their results in JSON are not asked for: the pipeline has its own.
+Words passed_on() {
+  if (verbosity() == Verbosity::normal) return {};
+  return {verbosity() == Verbosity::quiet ? "--quiet" : "--verbose"};
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 int run_stage(const Stage& stage) {
-  announce(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
+  say(fmt::format("== thalweg {} {}", stage.name, fmt::join(stage.arguments, " ")));
   const auto begin = std::chrono::steady_clock::now();
-  const int status = run_in_foreground(with({stage_program(stage.name).string()}, stage.arguments));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (status == 0) announce(fmt::format("== {} done in {:.1f} s", stage.name, seconds));
+  const int status = run_in_foreground(with(with({stage_program(stage.name).string()}, stage.arguments), passed_on()),
+                                       answers_in_json());
+  if (status == 0) say(fmt::format("== {} done in {:.1f} s", stage.name, seconds_since(begin)));
   return status;
 }
 
+/// The stages that were run, for --json.
+using Records = nlohmann::ordered_json;
+
 /// Runs the stages in turn, and the report in any case: a mesh model or a run beside it that fails is a line in it.
-int run_stages(const std::vector<Stage>& stages, const RunFolder& folder) {
+int run_stages(const std::vector<Stage>& stages, const RunFolder& folder, Records& records) {
   int outcome = static_cast<int>(Exit::done);
   for (const Stage& stage : stages) {
+    const auto begin = std::chrono::steady_clock::now();
     const int status = run_stage(stage);
+    if (stage.name == "gencase" && stage.needed) keep_log(folder, "run");  // gencase begins the folder's log
+    records.push_back({{"stage", stage.name}, {"status", status}, {"seconds", seconds_since(begin)}});
     if (status == 0) continue;
     if (stage.needed || !has_failed(status)) {
-      fmt::print(stderr, "thalweg run: {} ended with status {}; the stages after it were not run\n", stage.name,
-                 status);
+      const std::string ended =
+          fmt::format("thalweg run: {} ended with status {}; the stages after it were not run", stage.name, status);
+      log_line("error", ended);
+      fmt::print(stderr, "{}\n", ended);
       return status;
     }
     const bool mesh = stage.name == "foam";
     const std::string what = mesh ? "" : fmt::format("{} of a run beside it ", stage.name);
     WarningFile(folder, mesh ? "foam" : "run")
         .add(fmt::format("{}failed with status {}; the report does without what is missing", what, status));
-    announce(fmt::format("== {} failed; the report does without it", stage.name));
+    say(fmt::format("== {} failed; the report does without it", stage.name));
     if (mesh) outcome = static_cast<int>(Exit::run_failed);
   }
   return outcome;
+}
+
+void tell_in_json(const RunFolder& folder, const Records& stages, int status) {
+  nlohmann::ordered_json result{{"status", status}, {"folder", folder.root.string()}, {"stages", stages}};
+  const std::filesystem::path report = folder.report() / "index.html";
+  if (std::filesystem::exists(report)) result["report"] = report.string();
+  result["summary"] = nlohmann::ordered_json::parse(summary_json(folder));
+  result["warnings"] = warnings_of_programs(folder);
+  if (status != 0) {
+    for (const std::string& error : errors_in_log(folder))
+      result["errors"].push_back(nlohmann::ordered_json::parse(error_json(error)));
+  }
+  set_result(result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace
@@ -169,27 +197,35 @@ int run_pipeline(const PipelineOptions& given) {
   const std::string out = (options.out.empty() ? std::filesystem::path("out") / scene.info.name : options.out).string();
   const RunFolder folder{out};
   require_short_path(folder);
-  if (options.resume) require_same_case(folder, scene);
+  if (options.resume) {
+    require_same_case(folder, scene);
+    if (std::filesystem::exists(folder.root)) keep_log(folder, "run");
+  }
   if (!options.resume && !options.force) {
     refuse_to_replace(folder, "continue it with --resume, replace it with --force, or give another --out");
   }
   std::string against_foam;
   if (options.foam) against_foam = reason_against_foam(options, set_words(options.overrides));
   if (!against_foam.empty()) {
-    announce("foam: left out: " + against_foam);
+    say("foam: left out: " + against_foam);
     options.foam = false;
   }
   std::vector<Stage> stages = stages_of(options, scene, out);
   for (const Stage& stage : stages) (void)stage_program(stage.name);  // throws before the first one runs
   const Stage report = stages.back();
   stages.pop_back();
-  const int outcome = run_stages(stages, folder);
-  if (outcome != static_cast<int>(Exit::done) && outcome != static_cast<int>(Exit::run_failed)) return outcome;
+  Records records = Records::array();
+  const int outcome = run_stages(stages, folder, records);
+  if (outcome != static_cast<int>(Exit::done) && outcome != static_cast<int>(Exit::run_failed)) {
+    tell_in_json(folder, records, outcome);
+    return outcome;
+  }
   if (!against_foam.empty()) WarningFile(folder, "foam").add("left out: " + against_foam);
-  const int drawn = run_stages({report}, folder);
-  if (drawn != static_cast<int>(Exit::done)) return drawn;
-  announce(fmt::format("report: {}", (folder.report() / "index.html").string()));
-  return outcome;
+  const int drawn = run_stages({report}, folder, records);
+  if (drawn == static_cast<int>(Exit::done)) say(fmt::format("report: {}", (folder.report() / "index.html").string()));
+  const int status = drawn != static_cast<int>(Exit::done) ? drawn : outcome;
+  tell_in_json(folder, records, status);
+  return status;
 }
 
 }  // namespace thalweg

@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "case/nearest.hpp"
+#include "common/app/verbs.hpp"
 #include "common/error.hpp"
+#include "common/installation.hpp"
 
 namespace thalweg {
 namespace {
@@ -16,13 +18,11 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = "thalweg-";
 
-fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
-
 }  // namespace
 
 std::vector<std::string> installed_stages() {
   std::vector<std::string> stages;
-  for (const auto& entry : fs::directory_iterator(own_folder())) {
+  for (const auto& entry : fs::directory_iterator(program_folder())) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(prefix) && access(entry.path().c_str(), X_OK) == 0)
       stages.push_back(name.substr(prefix.size()));
@@ -34,10 +34,10 @@ std::vector<std::string> installed_stages() {
 fs::path stage_program(const std::string& stage) {
   const std::vector<std::string> stages = installed_stages();
   if (std::find(stages.begin(), stages.end(), stage) != stages.end()) {
-    return own_folder() / fmt::format("{}{}", prefix, stage);
+    return program_folder() / fmt::format("{}{}", prefix, stage);
   }
-  std::vector<std::string> commands{"run", "explain", "info", "formulas"};
-  commands.insert(commands.end(), stages.begin(), stages.end());
+  std::vector<std::string> commands;
+  for (const Verb& verb : verbs()) commands.push_back(verb.name);
   const auto near = nearest(stage, commands);
   throw InputError(fmt::format(
       "thalweg: there is no command {}; {}", stage,

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
 
+#include "common/csv.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 
@@ -55,6 +58,26 @@ std::optional<double> time_reached(const RunFolder& run) {
     }
   }
   return reached > 0 ? std::make_optional(reached) : std::nullopt;
+}
+
+std::string summary_json(const RunFolder& run) {
+  nlohmann::ordered_json summary = nlohmann::ordered_json::object();
+  if (!fs::exists(run.summary())) return summary.dump();
+  const CsvTable table = CsvTable::read(run.summary());
+  const auto names = table.texts("quantity");
+  const auto values = table.texts("value");
+  const auto units = table.texts("unit");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    nlohmann::ordered_json entry;
+    double number = 0;
+    const char* end = values[row].data() + values[row].size();
+    const auto [rest, problem] = std::from_chars(values[row].data(), end, number);
+    const bool is_number = problem == std::errc() && rest == end && !units[row].empty();
+    entry["value"] = is_number ? nlohmann::ordered_json(number) : nlohmann::ordered_json(values[row]);
+    if (!units[row].empty()) entry["unit"] = units[row];
+    summary[names[row]] = entry;
+  }
+  return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void refuse_to_replace(const RunFolder& run, const std::string& cure) {

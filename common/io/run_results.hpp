@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/io/series.hpp"
@@ -11,6 +12,9 @@ namespace thalweg {
 
 /// The time [s] up to which a folder holds results of a run; nothing if it holds none beyond the start.
 std::optional<double> time_reached(const RunFolder& run);
+
+/// summary.csv as a JSON object {QUANTITY: {"value", "unit"}}, numbers as numbers; "{}" if there is none.
+std::string summary_json(const RunFolder& run);
 
 /// Throws InputError if the folder holds results, naming `cure`.
 void refuse_to_replace(const RunFolder& run, const std::string& cure);

@@ -1,9 +1,12 @@
 #include <CLI/CLI.hpp>
 
 #include "common/command_line.hpp"
+#include "common/console.hpp"
 #include "common/error.hpp"
+#include "common/io/run_results.hpp"
 #include "common/signals.hpp"
 #include "solver/program/run.hpp"
+#include "solver/program/warning_sink.hpp"
 
 namespace {
 
@@ -11,9 +14,11 @@ int solver(int argc, char** argv) {
   CLI::App app("Runs the two-phase SPH solver on a folder that thalweg-gencase has filled.", "thalweg-solver");
   thalweg::RunOptions options;
   app.add_option("DIR", options.folder, "Run folder with particles.vtp and case.resolved.toml")->required();
-  app.add_option("--backend", options.backend, "Device: auto (a GPU if there is one), cuda, openmp")
+  app.add_option("--backend", options.backend, "Device: auto takes a GPU if there is one")
+      ->type_name("auto|cuda|openmp")
       ->capture_default_str();
-  app.add_option("--isa", options.instruction_set, "Instruction set of the CPU core: auto, avx512, avx2, baseline")
+  app.add_option("--isa", options.instruction_set, "Instruction set of the CPU core")
+      ->type_name("auto|avx512|avx2|baseline")
       ->capture_default_str();
   app.add_option("--threads", options.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 4096))
@@ -35,7 +40,10 @@ int solver(int argc, char** argv) {
   app.add_option("--set", options.overrides,
                  "Change a key of the case, e.g. numerics.cfl=0.2 (numerics, model, output)");
   if (const auto status = thalweg::parse_command_line(app, argc, argv)) return *status;
-  return static_cast<int>(thalweg::run_solver(options));
+  thalweg::start_console();
+  const auto status = static_cast<int>(thalweg::run_solver(options));
+  thalweg::set_result(thalweg::summary_json({options.folder}));
+  return status;
 }
 
 }  // namespace

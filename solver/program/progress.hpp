@@ -20,7 +20,7 @@ class Progress {
  private:
   double end_;
   double start_;
-  ProgressLine line_{{.width = 110}};
+  ProgressLine line_{{.width = 130}};
 };
 
 }  // namespace thalweg

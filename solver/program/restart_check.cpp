@@ -8,6 +8,7 @@
 #include "case/reader/differences.hpp"
 #include "common/error.hpp"
 #include "common/shown.hpp"
+#include "common/version.hpp"
 
 namespace thalweg {
 namespace {
@@ -52,8 +53,9 @@ void check_restart(const std::filesystem::path& file, const Checkpoint& from, co
                    const std::vector<std::string>& anyway) {
   check_words(anyway);
   std::vector<KeyDifference> changed = differences(from.case_text, case_text(now));
-  const std::string& version = from.particles.info.code_version;
-  if (version != THALWEG_VERSION) changed.push_back({"version", version, THALWEG_VERSION});
+  const std::string before = release_of(from.particles.info.code_version);
+  const std::string own = release_of(version());
+  if (before != own) changed.push_back({"version", before, own});
   std::vector<KeyDifference> fixed;
   std::vector<KeyDifference> unasked;
   for (const KeyDifference& difference : changed) {

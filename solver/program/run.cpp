@@ -14,6 +14,7 @@
 #include "common/io/run_results.hpp"
 #include "common/run_lock.hpp"
 #include "common/signals.hpp"
+#include "common/version.hpp"
 #include "common/warnings.hpp"
 #include "common/whole_file.hpp"
 #include "solver/program/announce.hpp"
@@ -119,7 +120,7 @@ class Run {
   ParticleFileInfo info(const ParticleSet& start) const {
     ParticleFileInfo i = start.info;
     i.case_name = case_.info.name;
-    i.code_version = THALWEG_VERSION;
+    i.code_version = version();
     i.case_hash = hash_of(case_);
     i.dimension = case_.info.dimension;
     i.spacing = case_.numerics.spacing;
@@ -209,6 +210,7 @@ class Run {
 
   void write_snapshot() {
     simulation_->timing().time("output", [&] { output_.snapshot(*simulation_, clock_); });
+    spdlog::debug("snapshot of t = {:.6g} s, step {}", clock_.time, clock_.step);
   }
 
   /// Gauges are read on the host, whatever device computes the particles around them.
@@ -222,6 +224,7 @@ class Run {
 
   void write_checkpoint() {
     simulation_->timing().time("output", [&] { output_.checkpoint(*simulation_, clock_, case_text_, counts_now()); });
+    spdlog::debug("checkpoint at t = {:.6g} s, step {}", clock_.time, clock_.step);
     since_checkpoint_ = {};
   }
 

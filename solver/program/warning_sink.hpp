@@ -4,7 +4,11 @@
 
 namespace thalweg {
 
-/// From now on the log's warnings are kept in the run's folder too (common/warnings.hpp).
+/// Lets the log show what --quiet, --verbose and --json ask for (common/console.hpp).
+void start_console();
+
+/// From now on the log goes into the run's folder too (common/console.hpp), its warnings also among those of the report
+/// (common/warnings.hpp).
 void keep_warnings(const RunFolder& run);
 
 }  // namespace thalweg

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/installation.hpp"
 #include "common/memory.hpp"
 #include "common/units.hpp"
 #include "solver/simulation/input.hpp"
@@ -38,16 +39,6 @@ const std::array<Core, 3> openmp_cores = {{
 #endif
     {"baseline", [] { return true; }},
 }};
-
-/// The file of core module `name`, beside the program or in ../lib/thalweg of an installed tree; empty if there is none.
-std::filesystem::path find_core(const std::string& name) {
-  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::string file = "thalweg_core_" + name + ".so";
-  for (const auto& folder : {program, program.parent_path() / "lib" / "thalweg", program.parent_path() / "bin"}) {
-    if (std::filesystem::exists(folder / file)) return folder / file;
-  }
-  return {};
-}
 
 /// A core module, loaded to the end of the process.
 class Module {

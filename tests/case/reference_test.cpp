@@ -1,14 +1,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "case/physics_checks.hpp"
+#include "case/reader/field_words.hpp"
 #include "tests/case/case_files.hpp"
 
 namespace thalweg {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string explained(const std::string& key) {
@@ -32,6 +35,35 @@ TEST(Explain, FindsKeysHoweverTheyAreNamed) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "explain: there is no key or table spacng; did you mean spacing?");
   }
+}
+
+// The words that users type first, and where each leads.
+TEST(Explain, AnswersTheWordsOfTheField) {
+  EXPECT_THAT(explained("inflow"), HasSubstr("[[inlet]]"));
+  EXPECT_THAT(explained("outflow"), HasSubstr("[[outlet]]"));
+  EXPECT_THAT(explained("scour depth"), HasSubstr("thalweg formulas CASE"));
+  EXPECT_THAT(explained("Scour_Depth"), HasSubstr("model.bed_load\n"));
+  EXPECT_THAT(explained("slope"), AllOf(HasSubstr("A sloping bed is a shape"), HasSubstr("flow.slope\n")));
+  EXPECT_THAT(explained("density"), HasSubstr("see also materials.<sediment>.grain_density"));
+  EXPECT_THAT(explained("Papanastasiou"), HasSubstr("materials.<sediment>.regularisation: ")) << "no key is near";
+}
+
+TEST(Explain, SendsTheWordsOfTheFieldToKeysThatExist) {
+  for (const FieldWord& entry : field_words()) {
+    for (const std::string& key : entry.keys)
+      EXPECT_THAT(explained(key), HasSubstr(key.substr(key.rfind('.') + 1))) << entry.words.front();
+    for (const std::string& word : entry.words)
+      EXPECT_EQ(find_field_word(word), &entry) << word << " is in two entries";
+  }
+}
+
+TEST(Explain, TellsTheSameInJson) {
+  const auto spacing = nlohmann::json::parse(explain_json("spacing"));
+  ASSERT_EQ(spacing["keys"].size(), 1U);
+  EXPECT_EQ(spacing["keys"][0]["key"], "numerics.spacing");
+  EXPECT_EQ(spacing["keys"][0]["unit"], "m");
+  EXPECT_EQ(nlohmann::json::parse(explain_json("inflow"))["keys"][0]["key"], "inlet.name");
+  EXPECT_THROW(explain_json("xyzzy"), InputError);
 }
 
 TEST(Explain, SetsTheTwoReadingsOfTheModelSideBySide) {

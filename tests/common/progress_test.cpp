@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include "common/console.hpp"
+
 namespace thalweg {
 namespace {
 
@@ -72,10 +74,28 @@ TEST(ProgressLine, IsALineNowAndThenInALog) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "one\ntwo\n");
 }
 
-TEST(ProgressBar, ShowsTheShareDone) {
-  EXPECT_EQ(progress_bar(0, '.'), "[..............................]");
-  EXPECT_EQ(progress_bar(0.5, ' '), "[###############               ]");
-  EXPECT_EQ(progress_bar(1.2, '.'), "[##############################]");
+// A quarter of what this program has to do (from 0.2 to 1) is done in 30 s: three times as long is left.
+TEST(ProgressText, ShowsTheShareDoneAndTheTimeLeft) {
+  EXPECT_EQ(progress_text({.what = "solver", .share = 0.4, .begun_at = 0.2, .elapsed = 30, .facts = "t = 2 s"}),
+            "solver [########            ]  40 %  t = 2 s, 90 s left");
+  EXPECT_EQ(progress_text({.what = "gencase", .share = 0}), "gencase [                    ]   0 %");
+  EXPECT_EQ(progress_text({.what = "foam", .share = 1.2}), "foam [####################] 100 %");
+}
+
+TEST(ProgressText, GivesDurationsInTheUnitThatIsRead) {
+  EXPECT_EQ(duration_text(12.4), "12 s");
+  EXPECT_EQ(duration_text(210), "3.5 min");
+  EXPECT_EQ(duration_text(7560), "2.1 h");
+}
+
+TEST(ProgressLine, IsSilentWhenTheUserWantsQuiet) {
+  const Terminal terminal;
+  ProgressLine line({.width = 10});
+  std::this_thread::sleep_for(std::chrono::milliseconds(210));
+  set_verbosity(Verbosity::quiet);
+  line.show([] { return "one"; });
+  set_verbosity(Verbosity::normal);
+  EXPECT_EQ(terminal.text(), "");
 }
 
 }  // namespace

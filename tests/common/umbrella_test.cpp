@@ -192,9 +192,17 @@ TEST_F(Umbrella, FindsTheProgramsByName) {
   EXPECT_EQ(thalweg("gencas"), 2);
   EXPECT_EQ(errors(), "error: thalweg: there is no command gencas; did you mean gencase?\n");
   EXPECT_EQ(thalweg(""), 2);
-  EXPECT_EQ(errors(), "error: thalweg: no command is given; see thalweg --help\n");
+  EXPECT_EQ(errors(), "error: thalweg: no command is given; see thalweg help\n");
   EXPECT_EQ(thalweg("--help"), 0);
-  EXPECT_THAT(output(), HasSubstr("  postproc ...\n"));
+  EXPECT_THAT(output(), HasSubstr("\n  postproc DIR "));
+  const std::string overview = output();
+  EXPECT_EQ(thalweg("help"), 0);
+  EXPECT_EQ(output(), overview);
+  EXPECT_LT(overview.find("  gencase "), overview.find("  solver ")) << "the order of use";
+  EXPECT_LT(overview.find("  solver "), overview.find("  explain "));
+  EXPECT_EQ(thalweg("help gencas"), 2);
+  EXPECT_EQ(thalweg("help run"), 0);
+  EXPECT_THAT(output(), HasSubstr("--resume"));
   EXPECT_EQ(thalweg("run case.toml --nonsense"), 2);
   EXPECT_THAT(errors(), HasSubstr("error: command line: "));
 }

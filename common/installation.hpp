@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// The places of the programs' own files, found from the program that runs, so that an installed tree may be moved. They are the
+// same in a build folder and where Thalweg is installed: programs in bin/, what they need in share/thalweg.
+namespace thalweg {
+
+/// Folder of the running program. Links are followed.
+std::filesystem::path program_folder();
+
+/// A file or folder below share/thalweg, whether it exists or not.
+std::filesystem::path shared_file(const std::string& name);
+
+/// The file of core module `name`, beside the program or in ../lib/thalweg of an installed tree; empty if there is none.
+std::filesystem::path find_core(const std::string& name);
+
+/// The names of all core modules that are installed, sorted: "cuda", "openmp_avx2", "openmp_avx2_double" …
+std::vector<std::string> installed_cores();
+
+}  // namespace thalweg
