@@ -5,7 +5,7 @@ import difflib
 import signal
 import sys
 
-from study import programs
+from thalweg import programs
 
 LONGEST = 300  # characters of a message
 
