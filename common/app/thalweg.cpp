@@ -75,9 +75,10 @@ void print_usage(std::ostream& to) {
         "  info PATH       what is in a particle file or a run's folder\n"
         "  formulas CASE   empirical scour formulas for the scene of a case, or for options\n"
         "  validate [CASE] cases measured against nature: one page with numbers and verdicts\n"
-        "  sweep CASE      a case over a range of keys: table, pictures, convergence\n";
+        "  sweep CASE      a case over a range of keys: table, pictures, convergence\n"
+        "  import FILE     a case from a definition of DualSPHysics (_Def.xml)\n";
   for (const std::string& stage : installed_stages()) {
-    if (stage != "validate" && stage != "sweep") to << "  " << stage << " ...\n";
+    if (stage != "validate" && stage != "sweep" && stage != "import") to << "  " << stage << " ...\n";
   }
   to << "\n`thalweg COMMAND --help` says more. Version " THALWEG_VERSION ".\n";
 }
