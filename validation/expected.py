@@ -10,7 +10,7 @@ from thalweg.faults import InputError, nearest
 from validation.keys import Key, check
 from validation.library import MEASURES
 from validation.references import Reference
-from validation.toml_files import Lines, read_toml
+from thalweg.toml_files import Lines, read_toml
 
 NAME = "expected.toml"
 

@@ -17,7 +17,7 @@ from thalweg.faults import InputError
 from validation.library import MEASURES
 from validation.measure_reference import reference_page
 from validation.points import Point, errors, order_of, scaled
-from validation.toml_files import Lines
+from thalweg.toml_files import Lines
 from validation.variations import combinations, variation
 
 
