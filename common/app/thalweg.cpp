@@ -70,6 +70,7 @@ int info(int argc, char** argv) {
 
 void print_usage(std::ostream& to) {
   to << "usage: thalweg COMMAND [arguments]\n\n"
+        "  new CASE        a commented case of a scene that runs as it is\n"
         "  run CASE        the whole pipeline, from geometry to report\n"
         "  explain [KEY]   unit, default, range and meaning of the keys of a case file\n"
         "  info PATH       what is in a particle file or a run's folder\n"
@@ -78,7 +79,7 @@ void print_usage(std::ostream& to) {
         "  sweep CASE      a case over a range of keys: table, pictures, convergence\n"
         "  import FILE     a case from a definition of DualSPHysics (_Def.xml)\n";
   for (const std::string& stage : installed_stages()) {
-    if (stage != "validate" && stage != "sweep" && stage != "import") to << "  " << stage << " ...\n";
+    if (stage != "validate" && stage != "sweep" && stage != "import" && stage != "new") to << "  " << stage << " ...\n";
   }
   to << "\n`thalweg COMMAND --help` says more. Version " THALWEG_VERSION ".\n";
 }

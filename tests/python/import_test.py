@@ -128,6 +128,13 @@ class Import(unittest.TestCase):
         self.assertTrue(all(z <= 0.3 + 1e-9 and z <= 0.75 * (x - 0.6) + 1e-9 for x, z in map(metres, slope["polygon"])),
                         "the slope's body lies below its line")
 
+    def test_bodies_moved_after_they_are_drawn(self):
+        square = bound(1) + box("solid", (0.6, -1, 0.2), (0.1, 2, 0.1))
+        turn = '<initials><rotateaxis mkbound="1" angle="-45" anglesunits="degrees"><axisp1 x="0.65" y="0" z="0.25" />' \
+            '<axisp2 x="0.65" y="1" z="0.25" /></rotateaxis><move mkbound="1" x="0.1" y="0" z="0" /></initials>'
+        body = self.shapes(self.imported(definition(DAM + square, casedef=turn)), "wall")[1]
+        self.assertAlmostEqual(max(metres(point)[0] for point in body["polygon"]), 0.75 + 0.05 * math.sqrt(2), places=6)
+
     def test_surfaces_become_meshes(self):
         roof = bound(1) + '<drawprism><point x="0.6" y="0.1" z="0" /><point x="0.8" y="0.1" z="0" /><point x="0.7" y="0.1" z="0.2" />' \
             '<point x="0.6" y="0.3" z="0" /><point x="0.8" y="0.3" z="0" /><point x="0.7" y="0.3" z="0.2" /></drawprism>'

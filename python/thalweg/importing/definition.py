@@ -1,9 +1,10 @@
 """What a GenCase definition draws, in order: the commands of its mainlist as bodies with a role, and remarks on those not understood."""
 
-from dataclasses import dataclass, field
+import math
 
 from thalweg.faults import InputError
 from thalweg.importing import geometry as geo
+from thalweg.importing.drawn import Chain, Drawn, Filled
 from thalweg.importing.expressions import Variables
 from thalweg.importing.mesh_files import read_mesh
 
@@ -11,41 +12,6 @@ MOST_DRAWN = 5000
 SILENT = {"setshapemode", "shapeout", "cellsout", "pointsmkout", "debugout", "printf", "setdpctes", "dpctessave", "dpctesload",
           "dpctesreset", "setnormalinvert", "setboxlimitmode", "exportvar", "setmknextfluid", "setmknextbound", "setmknextauto",
           "setfrdrawmode", "delvar", "newvarstr", "newvarstrcte", "setvarstr", "varssave", "varsload", "clipreset"}
-
-
-@dataclass
-class Drawn:
-    """A body that was drawn. `faces`: names of the faces of a hollow box; None: it is solid."""
-    kind: str    # fluid, bound, void
-    mk: int
-    line: int
-    body: object
-    faces: set | None = None
-    name: str = ""
-    file: str = ""   # a mesh file that is taken as it is, with `placing`
-    placing: dict = field(default_factory=dict)
-
-
-@dataclass
-class Filled:
-    """A region filled from a seed, as far as walls let it, within `box` (None: everywhere)."""
-    kind: str
-    mk: int
-    line: int
-    seed: tuple
-    box: object
-
-
-@dataclass
-class Chain:
-    """Lines drawn one after the other."""
-    points: list
-
-    def corners(self):
-        return geo.bounds(self.points).corners()
-
-    def contains(self, _, by=0.0):
-        return False
 
 
 class Definition:
@@ -60,6 +26,10 @@ class Definition:
         self._constants()
         self._lists = {node.get("name", ""): node for node in self._need("casedef/geometry/commands").all("list")}
         self.run(self._need("casedef/geometry/commands/mainlist"))
+        initials = case.find("casedef/initials")
+        for node in initials.children if initials else []:
+            if not node.tag.startswith("_") and node.active():
+                self._initial(node)
 
     def _need(self, path):
         node = self.case.find(path)
@@ -86,6 +56,26 @@ class Definition:
 
     def flag(self, node, name, default):
         return bool(self.number(node, name, float(default)))
+
+    def _initial(self, node):
+        """A body moved or turned after it was drawn."""
+        kind = "bound" if node.get("mkbound") else "fluid"
+        chosen = [each for each in self.drawn if isinstance(each, Drawn) and each.kind == kind and str(each.mk) == node.get(f"mk{kind}")]
+        if node.tag == "move":
+            matrix = geo.moved(self.point(node))
+        elif node.tag == "rotateaxis":
+            per = 1.0 if node.get("anglesunits", "degrees") == "degrees" else 180 / math.pi
+            ends = [self.point(self._child(node, name)) for name in ("axisp1", "axisp2")]
+            matrix = geo.rotated(per * self.number(node, "angle"), *ends)
+        else:
+            self.remark(node, f"<{node.tag}> at the start is not understood: water starts at rest, bodies where they are drawn")
+            return
+        for each in chosen:
+            moved = geo.transformed(each.body, matrix)
+            if moved is None:
+                self.remark(node, f"<{node.tag}> of a line is not understood; it stays where it is drawn")
+            else:
+                each.body = moved
 
     def _constants(self):
         constants = self.case.find("casedef/constantsdef")

@@ -55,7 +55,7 @@ class Conversion:
         self.floating(rigid)
         self.openings = Openings(definition)
         self.motions = Motions(definition, self.end)
-        drawn = Shapes(definition, self.openings.mks)
+        drawn = Shapes(definition, self.openings.mks, set(self.motions.of))
         self.shapes, self.meshes = drawn.list, drawn.files
         if not any(shape.role == "water" for shape in self.shapes):
             reasons = "; ".join(f"line {line}: {text}" for line, text in sorted(definition.remarks)[:1])
@@ -92,10 +92,6 @@ class Conversion:
         for node in special.children if special else []:
             if node.tag not in KNOWN_SPECIALS and not node.tag.startswith("_") and node.active():
                 definition.remark(node, f"<{node.tag}> is not understood and left out")
-        initials = self.root.find("casedef/initials")
-        for node in initials.children if initials else []:
-            if not node.tag.startswith("_") and node.active():
-                definition.remark(node, f"<{node.tag}> at the start is not understood: water starts at rest, bodies where they are drawn")
         phases = self.root.find("execution/special/nnphases")
         if phases:
             definition.remark(phases, "phases of several densities: all are water here; write sediment for those that are bed")

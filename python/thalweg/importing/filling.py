@@ -3,7 +3,7 @@
 from collections import deque
 
 from thalweg.importing import geometry as geo
-from thalweg.importing.definition import Chain
+from thalweg.importing.drawn import Chain
 
 CELLS = {True: 14_000, False: 40_000}  # by flat: cells of the coarse grid on which the region is searched
 

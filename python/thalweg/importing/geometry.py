@@ -135,6 +135,19 @@ def _crosses(triangle, x, y, z):
     return v >= 0 and w >= 0 and v + w <= 1 and xa + v * (xb - xa) + w * (xc - xa) > x
 
 
+def transformed(body, m):
+    """A body through a placement that keeps lengths."""
+    if isinstance(body, Box) and straight(m):
+        return bounds([apply(m, p) for p in (body.low, body.high)])
+    if isinstance(body, Sphere):
+        return Sphere(apply(m, body.center), body.radius)
+    if isinstance(body, Cylinder):
+        return Cylinder(apply(m, body.begin), apply(m, body.end), body.radius)
+    if isinstance(body, (Box, Surface)):
+        return Surface([tuple(apply(m, p) for p in each) for each in body.triangles()])
+    return None
+
+
 def bounds(points):
     """The box around points."""
     return Box(*(tuple(extreme(p[i] for p in points) for i in range(3)) for extreme in (min, max)))

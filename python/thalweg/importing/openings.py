@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass
 
 from thalweg.importing import geometry as geo
-from thalweg.importing.definition import Drawn
+from thalweg.importing.drawn import Drawn
 
 WAYS = {"right": (1, 0, 0), "left": (-1, 0, 0), "back": (0, 1, 0), "front": (0, -1, 0), "top": (0, 0, 1), "bottom": (0, 0, -1)}
 FLOWS = {"l/s": 1e-3, "gal/s": 3.785411784e-3, "gal/min": 3.785411784e-3 / 60}  # [m^3/s], US gallons

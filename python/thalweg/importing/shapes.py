@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass, field
 
 from thalweg.importing import geometry as geo
-from thalweg.importing.definition import Chain, Drawn, Filled
+from thalweg.importing.drawn import Chain, Drawn, Filled
 from thalweg.importing.filling import common, fill
 from thalweg.importing.mesh_files import stl
 
@@ -31,16 +31,31 @@ class Shape:
 class Shapes:
     """The shapes of a definition, in its order. `files`: name → content of the meshes beside the case."""
 
-    def __init__(self, definition, used_by_openings=()):
+    def __init__(self, definition, used_by_openings=(), moving=()):
         self.definition, self.flat, self.dp = definition, definition.flat, definition.spacing
         self.files, self.list, self.names, self.openings = {}, [], set(), set(used_by_openings)
         self.bodies = []  # what the drawing comes to, fillings as boxes
-        for each in definition.drawn:
+        self.container = None  # the hollow box that became one: a case has one, others are made of plates
+        for each in self.joined(definition.drawn, moving):
             self.bodies.append(self.resolved(each) if isinstance(each, Filled) else each)
         corners = [p for each in self.bodies if isinstance(each, Drawn) for p in each.body.corners()]
         self.middle = tuple((l + h) / 2 for l, h in zip(*vars(geo.bounds(corners)).values())) if corners else (0, 0, 0)
         for each in self.bodies:
             self.emit(each)
+
+    @staticmethod
+    def joined(drawn, moving):
+        """The bodies, hollow boxes in one place that stand still joined to one: sides and floor are often drawn apart."""
+        kept = []
+        for each in drawn:
+            if isinstance(each, Drawn) and isinstance(each.body, geo.Box) and each.faces and each.kind == "bound" and each.mk not in moving:
+                same = next((other for other in kept if isinstance(other, Drawn) and other.body == each.body and other.kind == "bound"
+                             and other.faces and other.mk not in moving), None)
+                if same:
+                    same.faces = same.faces | each.faces
+                    continue
+            kept.append(each)
+        return kept
 
     def resolved(self, filled):
         walls = [each for each in self.bodies if isinstance(each, Drawn) and each.kind == "bound"]
@@ -166,17 +181,18 @@ class Shapes:
         whole = 4 if self.flat else 6
         thin = any(h - l < 0.5 * self.dp for a, (l, h) in enumerate(zip(room.low, room.high)) if not (self.flat and a == 1))
         keys = {"from": self.metres(room.low), "to": self.metres(room.high)}
-        if not thin and names and self.fluid_inside(each.body):
-            missing = [OPEN[name] for name in geo.FACES if name not in names and not (self.flat and geo.FACES[name][0] == 1)]
-            self.add(each, "box", {"side": "outside", **keys, **({"open": missing} if missing else {})}, self.around(room))
-        elif not thin and len(names) >= whole - 2 and not ("top" not in names and self.is_basin(each)):
-            self.add(each, "box", keys, room, "a hollow box without water inside, taken as solid")
+        basin = "top" not in names and len(names) >= whole - 2 and self.is_basin(each)
+        if not thin and names and (basin or self.fluid_inside(each.body)):
+            if self.container is None:
+                missing = [OPEN[name] for name in geo.FACES if name not in names and not (self.flat and geo.FACES[name][0] == 1)]
+                self.container = each
+                self.add(each, "box", {"side": "outside", **keys, **({"open": missing} if missing else {})}, self.around(room))
+                return
         elif not thin and len(names) >= whole - 2:
-            missing = [OPEN[name] for name in geo.FACES if name not in names and not (self.flat and geo.FACES[name][0] == 1)]
-            self.add(each, "box", {"side": "outside", **keys, "open": missing}, self.around(room))
-        else:
-            for name in sorted(names):
-                self.plate(each, room, *geo.FACES[name])
+            self.add(each, "box", keys, room, "a hollow box without water inside, taken as solid")
+            return
+        for name in sorted(names):
+            self.plate(each, room, names, *geo.FACES[name])
 
     def within_limits(self, box, axis, end):
         limits = self.definition.limits
@@ -191,10 +207,15 @@ class Shapes:
     def around(self, room):
         return geo.Box(*(tuple(x + sign * REACH * self.dp for x in p) for p, sign in ((room.low, -1), (room.high, 1))))
 
-    def plate(self, each, room, axis, end):
+    def plate(self, each, room, names, axis, end):
         at = (room.low, room.high)[end][axis]
-        flat_face = geo.Box(tuple(at if a == axis else x for a, x in enumerate(room.low)),
-                            tuple(at if a == axis else x for a, x in enumerate(room.high)))
+        low, high = list(room.low), list(room.high)
+        for name in names:  # plates meet behind their edges
+            other, side = geo.FACES[name]
+            if other != axis:
+                (high if side else low)[other] += (1 if side else -1) * REACH * self.dp
+        low[axis] = high[axis] = at
+        flat_face = geo.Box(tuple(low), tuple(high))
         behind = tuple(at + (-1 if end else 1) * self.dp / 2 if a == axis else (l + h) / 2 for a, (l, h) in enumerate(zip(room.low, room.high)))
         if any(shape.role == "wall" and shape.room and "side" not in shape.keys and shape.room.contains(behind) for shape in self.list):
             return  # the face of a body that is solid already
