@@ -18,7 +18,7 @@ import time
 
 from study.costs import overrides
 from study.origin import ROOT, command_line
-from study.programs import call
+from thalweg.programs import call
 from study.record import Record, common_arguments
 
 CASES = ROOT / "cases"

@@ -11,9 +11,9 @@ import pathlib
 import re
 
 from study import origin
-from study.particle_file import SEDIMENT, WATER, arrays
+from thalweg.particle_file import SEDIMENT, WATER, arrays
 from study.record import RECORDS
-from study.tables import write_table
+from thalweg.tables import write_table
 
 HALF_WIDTH = 0.04  # [m] of a section's window
 BED = 0.6  # porosity of the bed is below

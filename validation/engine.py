@@ -9,12 +9,12 @@ import sys
 import tempfile
 
 from study.costs import overrides
-from study.programs import Failed, call
+from thalweg.programs import Failed, call
 from study.results import resolved
 from study.runs import Run
 from study.starts import start
-from study.tables import text_rows
-from validation.faults import InputError
+from thalweg.tables import text_rows
+from thalweg.faults import InputError
 
 PROGRAMS = ("thalweg-gencase", "thalweg-solver", "thalweg-postproc", "thalweg_core_openmp_*.so", "thalweg_core_cuda.so")
 

@@ -6,11 +6,11 @@ import validation.column_measures  # noqa: F401  each fills the library
 import validation.law_measures  # noqa: F401
 import validation.particle_measures  # noqa: F401
 import validation.profile_measures  # noqa: F401
-from validation.faults import InputError, nearest
+from thalweg.faults import InputError, nearest
 from validation.keys import Key, check
 from validation.library import MEASURES
 from validation.references import Reference
-from validation.toml_files import Lines, read_toml
+from thalweg.toml_files import Lines, read_toml
 
 NAME = "expected.toml"
 

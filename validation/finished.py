@@ -4,10 +4,10 @@ import functools
 import math
 import re
 
-from study.particle_file import arrays
+from thalweg.particle_file import arrays
 from study.results import quantity, resolved
-from study.tables import read_table
-from validation.faults import InputError, nearest
+from thalweg.tables import read_table
+from thalweg.faults import InputError, nearest
 
 NEAR = 0.005  # share of a time by which a snapshot may lie beside it: times in cases are rounded
 

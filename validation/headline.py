@@ -1,8 +1,8 @@
 """The headline quantities of a run, from the tables of its report: one number each, with its unit."""
 
-from study.tables import text_rows
+from thalweg.tables import text_rows
 from validation.column_measures import STATISTICS
-from validation.faults import InputError, nearest
+from thalweg.faults import InputError, nearest
 from validation.finished import Finished
 
 AT_END = {"profiles/series.csv": ("front", "scour", "scour_x", "scour_y", "deposition", "deposition_x", "deposition_y", "resting_scour",

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from validation.faults import InputError, nearest
+from thalweg.faults import InputError, nearest
 
 
 def is_number(value):

@@ -3,7 +3,7 @@
 import math
 
 from study.norms import slope
-from study.particle_file import SEDIMENT, WATER
+from thalweg.particle_file import SEDIMENT, WATER
 from study.results import quantity
 from validation.column_measures import mean, within
 from validation.keys import Key

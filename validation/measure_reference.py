@@ -1,6 +1,6 @@
 """docs/expected.md: the keys of expected.toml and all measures, from their declarations."""
 
-from study.tables import markdown
+from thalweg.tables import markdown
 from validation.expected import ENTRY_KEYS, RUN_KEYS
 from validation.keys import documented
 from validation.library import MEASURES

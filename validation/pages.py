@@ -8,7 +8,7 @@ import subprocess
 import sys
 from dataclasses import asdict
 
-from study.tables import markdown, write_table
+from thalweg.tables import markdown, write_table
 from validation import outcome
 
 MOST_LISTED = 6  # points

@@ -4,7 +4,7 @@ import math
 
 from study.norms import layered_pressure, rms
 from study.of_particles import front_of_water
-from study.particle_file import SEDIMENT, WATER, of_fluid
+from thalweg.particle_file import SEDIMENT, WATER, of_fluid
 from validation.keys import Key
 from validation.library import measure
 from validation.points import Point

@@ -3,7 +3,7 @@
 import math
 
 from study.norms import rms
-from study.tables import read_table
+from thalweg.tables import read_table
 from validation.keys import Key
 from validation.library import measure
 from validation.points import Errors

@@ -1,7 +1,7 @@
 """What is known of a quantity: numbers in expected.toml, or a table in the case's folder."""
 
-from study.tables import read_table
-from validation.faults import InputError, nearest
+from thalweg.tables import read_table
+from thalweg.faults import InputError, nearest
 from validation.keys import Key
 from validation.points import Point
 

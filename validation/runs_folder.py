@@ -2,7 +2,7 @@
 
 import shutil
 
-from validation.faults import InputError
+from thalweg.faults import InputError
 
 
 def prepare(out, shown, resume, force):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from study.runs import compute_all
 from validation import engine, headline, sweep_page
-from validation.faults import Arguments, InputError, run_program
+from thalweg.faults import Arguments, InputError, run_program
 from validation.pages import origin
 from validation.runs_folder import prepare
 from validation.variations import combinations, variation

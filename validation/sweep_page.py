@@ -5,7 +5,7 @@ import re
 import sys
 
 from study.pictures import draw
-from study.tables import markdown, write_table
+from thalweg.tables import markdown, write_table
 from validation.convergence import convergence
 from validation.pages import cell, shown
 

@@ -6,7 +6,7 @@ import sys
 from study.runs import compute_all
 from validation import engine, outcome, pages
 from validation.expected import NAME, read_expected
-from validation.faults import Arguments, InputError, run_program
+from thalweg.faults import Arguments, InputError, run_program
 from validation.finished import Finished
 from validation.measure_reference import reference_page
 from validation.runs_folder import prepare

@@ -4,7 +4,7 @@ import itertools
 import re
 from dataclasses import dataclass
 
-from validation.faults import InputError
+from thalweg.faults import InputError
 
 NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)")
 MOST_RUNS = 1000  # more are a mistake in the command rather than a study

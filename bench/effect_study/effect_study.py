@@ -23,7 +23,7 @@ sys.path.insert(0, str(ROOT / "bench"))
 from page import CURVES, Results, draw, page
 from study import origin, runs
 from study.record import RECORDS
-from study.tables import read_table, write_table
+from thalweg.tables import read_table, write_table
 
 
 class Run(runs.Run):

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from study import pictures
-from study.tables import markdown
+from thalweg.tables import markdown
 
 CURVES = ("free_surface", "bed", "moving_bed")
 

@@ -13,10 +13,10 @@ import pathlib
 import sys
 
 BENCH = pathlib.Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(BENCH), str(BENCH / "micro")]
+sys.path[:0] = [str(BENCH.parent / "python"), str(BENCH / "micro")]
 
 from disassembly import count, inner_loop, sweeps  # noqa: E402
-from study.tables import markdown  # noqa: E402
+from thalweg.tables import markdown  # noqa: E402
 
 OF_WATER = ("ContinuitySweep", "MomentumSweep", "WallPressureSweep")  # all that a scene without sediment runs
 OF_BEDS = ", true>"  # the same sweep with the terms of bed load

@@ -24,7 +24,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from disassembly import count, inner_loop, sweeps  # noqa: E402
 from study import origin  # noqa: E402
 from study.record import RECORDS  # noqa: E402
-from study.tables import markdown  # noqa: E402
+from thalweg.tables import markdown  # noqa: E402
 
 LANES = {"avx512": 16, "avx2": 8, "baseline": 4}
 NEEDS = {"avx512": {"avx512f", "avx512dq", "avx512vl", "avx512bw"}, "avx2": {"avx2", "fma"}, "baseline": set()}

@@ -10,7 +10,7 @@ import struct
 import subprocess
 from array import array
 
-from study.programs import call
+from thalweg.programs import call
 
 FLAGS = "-O3 -march=native -ffast-math"
 MAKE = ["make", "-f", "Makefile_cpu", "USE_FAST_MATH=YES", "USE_NATIVE_CPU_OPTIMIZATIONS=YES", "COMPILE_CHRONO=NO",

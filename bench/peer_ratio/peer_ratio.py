@@ -16,14 +16,15 @@ import pathlib
 import statistics
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+BENCH = pathlib.Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(BENCH), str(BENCH.parent / "python")]
 
 import dualsphysics  # noqa: E402
-from study import particle_file  # noqa: E402
 from study.costs import fill, solve, write_case  # noqa: E402
 from study.origin import ROOT, command_line  # noqa: E402
 from study.record import Record, common_arguments  # noqa: E402
 from study.repeats import Spread, in_turn, ratios, shown  # noqa: E402
+from thalweg import particle_file  # noqa: E402
 
 SCENE = {"name": "collapse", "spacing": 0.008, "smoothing_length": 0.012, "density": 1000.0, "sound_speed": 35.0,
          "artificial_viscosity": 0.02, "density_diffusion": 0.1, "cfl": 0.2}

@@ -20,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from study.costs import Cost, fill, solve, write_case  # noqa: E402
 from study.origin import command_line  # noqa: E402
-from study.programs import call  # noqa: E402
+from thalweg.programs import call  # noqa: E402
 from study.record import Record, common_arguments  # noqa: E402
 from study.repeats import Spread, in_turn, ratios  # noqa: E402
 

@@ -7,8 +7,8 @@ Prints a table of the points (points.csv of speed_vs_error.py, or its record) th
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from study.tables import markdown, read_table  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from thalweg.tables import markdown, read_table  # noqa: E402
 
 
 def points(file):

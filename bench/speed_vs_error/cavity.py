@@ -4,9 +4,9 @@ import math
 
 from study import norms
 from study.origin import ROOT
-from study.particle_file import arrays, of_fluid, replace_arrays
+from thalweg.particle_file import arrays, of_fluid, replace_arrays
 from study.results import quantity, resolved, snapshots
-from study.tables import read_table
+from thalweg.tables import read_table
 
 TABLE = ROOT / "bench/speed_vs_error/reference/cavity.csv"
 SIDE, LID = 1.0, 1.0  # [m], [m/s]

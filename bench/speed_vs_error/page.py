@@ -4,7 +4,7 @@ import math
 import pathlib
 
 from study import norms, pictures
-from study.tables import markdown
+from thalweg.tables import markdown
 
 DISCUSSION = pathlib.Path(__file__).with_name("discussion.md")
 COLOURS = {"spacing": "#c0392b", "product": "#2b6cb0", "one at a time": "#8c6239", "recorded": "#4a4a4a"}

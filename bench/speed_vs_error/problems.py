@@ -12,9 +12,9 @@ from cavity import Cavity
 from study import norms
 from study.of_particles import front_of_water
 from study.origin import ROOT
-from study.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
+from thalweg.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
 from study.results import Gauges, quantity, resolved, snapshots
-from study.tables import read_table
+from thalweg.tables import read_table
 
 GRAVITY = 9.81  # [m/s^2] of every case but the slot
 

@@ -24,9 +24,9 @@ from page import draw_problem, measured, page, summary_lines
 from problems import PROBLEMS, resolved
 from study import origin, runs
 from study.costs import overrides
-from study.programs import call
+from thalweg.programs import call
 from study.record import RECORDS
-from study.tables import write_table
+from thalweg.tables import write_table
 
 SHOWN = ("numerics.smoothing_ratio", "numerics.cfl", "numerics.sound_speed_factor", "numerics.density_diffusion",
          "numerics.artificial_viscosity", "numerics.viscosity", "numerics.viscous_tolerance", "model.rest",

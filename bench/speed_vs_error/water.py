@@ -4,9 +4,9 @@ import math
 
 import water_norms
 from study.norms import rms
-from study.particle_file import SEDIMENT, WALL, WATER, arrays, of_fluid, replace_arrays
+from thalweg.particle_file import SEDIMENT, WALL, WATER, arrays, of_fluid, replace_arrays
 from study.results import Gauges, quantity, resolved, snapshots
-from study.tables import read_table
+from thalweg.tables import read_table
 from water_norms import GRAVITY
 
 ENERGIES = ("kinetic_energy", "potential_energy", "internal_energy")

@@ -6,8 +6,8 @@ A cost is processor time, which other programs on the machine disturb least.
 import json
 from dataclasses import dataclass
 
-from study.programs import call
-from study.tables import text_rows
+from thalweg.programs import call
+from thalweg.tables import text_rows
 
 
 @dataclass

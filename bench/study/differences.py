@@ -1,7 +1,7 @@
 """The first difference between two tables or two particle files of runs that should be equal bit for bit."""
 
-from study.particle_file import numbers, stored_arrays
-from study.tables import text_rows
+from thalweg.particle_file import numbers, stored_arrays
+from thalweg.tables import text_rows
 
 
 def common_rows(name, left, right):

@@ -1,6 +1,6 @@
-"""Figures of a set of particles, as study/particle_file.py reads it: SI units."""
+"""Figures of a set of particles, as thalweg/particle_file.py reads it: SI units."""
 
-from study.particle_file import WATER
+from thalweg.particle_file import WATER
 
 
 def front_of_water(particles, spacing):

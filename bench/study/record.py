@@ -6,7 +6,7 @@ import pathlib
 
 from study.origin import ROOT, commit, load, machine
 from study.repeats import shown
-from study.tables import markdown
+from thalweg.tables import markdown
 
 RECORDS = ROOT / "bench" / "records"
 

@@ -2,7 +2,7 @@
 
 import tomllib
 
-from study.tables import read_table
+from thalweg.tables import read_table
 
 
 def resolved(folder):

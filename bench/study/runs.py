@@ -7,8 +7,8 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from study.costs import overrides
-from study.programs import call, stop_all
-from study.tables import read_table
+from thalweg.programs import call, stop_all
+from thalweg.tables import read_table
 
 
 class Run:

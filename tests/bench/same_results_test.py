@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
 from study.differences import first_array_difference, first_table_difference  # noqa: E402
-from study.particle_file import encoded  # noqa: E402
+from thalweg.particle_file import encoded  # noqa: E402
 
 thalweg, scratch = (pathlib.Path(argument).resolve() for argument in (sys.argv.pop(1), sys.argv.pop(1)))
 

@@ -17,7 +17,7 @@ sys.path[:0] = [str(ROOT / "bench"), str(SCRIPT.parent)]
 
 from study import norms
 from problems import PROBLEMS
-from study.particle_file import arrays, replace_arrays
+from thalweg.particle_file import arrays, replace_arrays
 from study.runs import Run
 
 thalweg, scratch = sys.argv[1], pathlib.Path(sys.argv[2])

@@ -12,11 +12,11 @@ import types
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "bench/speed_vs_error")]
+sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "python"), str(ROOT / "bench/speed_vs_error")]
 
 import water
 import water_norms
-from study.particle_file import SEDIMENT, WALL, WATER
+from thalweg.particle_file import SEDIMENT, WALL, WATER
 
 
 class Wave(unittest.TestCase):

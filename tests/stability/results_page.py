@@ -8,7 +8,7 @@ import tomllib
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bench"))
 
 from study.origin import commit  # noqa: E402
-from study.tables import markdown, text_rows  # noqa: E402
+from thalweg.tables import markdown, text_rows  # noqa: E402
 
 HEAD = """# Stability: the tests of the suite and their results
 

@@ -8,16 +8,16 @@ import types
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT), str(ROOT / "bench")]
+sys.path[:0] = [str(ROOT), str(ROOT / "bench"), str(ROOT / "python")]
 
 from validation.convergence import convergence
 from validation.engine import case_content
 from validation.expected import read_expected
-from validation.faults import InputError
+from thalweg.faults import InputError
 from validation.library import MEASURES
 from validation.measure_reference import reference_page
 from validation.points import Point, errors, order_of, scaled
-from validation.toml_files import Lines
+from thalweg.toml_files import Lines
 from validation.variations import combinations, variation
 
 

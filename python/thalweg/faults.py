@@ -8,7 +8,7 @@ import pathlib
 import signal
 import sys
 
-from study import programs
+from thalweg import programs
 
 LONGEST = 300  # characters of a message
 

@@ -3,7 +3,7 @@
 import re
 import tomllib
 
-from validation.faults import InputError
+from thalweg.faults import InputError
 
 HEADER = re.compile(r"^\s*(\[\[?)\s*(?:\"([^\"]*)\"|'([^']*)'|([^\]\s]+))\s*\]\]?")
 KEY = re.compile(r"^\s*(?:\"([^\"]*)\"|'([^']*)'|([\w-]+))\s*=")
