@@ -27,9 +27,8 @@ void require_bed_on_ground(const Case& of, const ParticleSet& particles) {
     stacks[{std::llround(at.x()), in_space ? std::llround(at.y()) : 0}].push_back(i);
   }
   for (auto& [place, stack] : stacks) {
-    std::sort(stack.begin(), stack.end(), [&](std::size_t a, std::size_t b) {
-      return particles.position[a].z() < particles.position[b].z();
-    });
+    std::sort(stack.begin(), stack.end(),
+              [&](std::size_t a, std::size_t b) { return particles.position[a].z() < particles.position[b].z(); });
     const double lowest = particles.position[stack.front()].z();
     std::size_t layers = 0;
     for (const std::size_t i : stack) {

@@ -14,7 +14,7 @@
 namespace thalweg::report_sections {
 namespace {
 
-/// What the factor and the spacing decide: the hole of runs beside this one, at the latest time that both have.
+/// Share of the factor and of the spacing in the depth: the hole of runs beside this one, at the latest time that both have.
 std::string checks(const ReportInput& input) {
   if (input.scour_checks.empty()) return "";
   std::vector<std::vector<std::string>> rows;
