@@ -110,8 +110,7 @@ void move_by_leapfrog(Step<Dim, Device>& s) {
   s.time("drift", [&] { drift(on, p, scene, s.state, 0.5); });
   AllModels::all<stage::AtHalfWay>(s);
   AllModels::first<stage::AtRates>(s, [&] { compute_density_rates(on, p, scene); });
-  s.time("update_density", [&] { update_density(on, p, s.state); });
-  s.time("drift", [&] { drift(on, p, scene, s.state, 0.5); });
+  s.time("drift", [&] { update_density_and_drift(on, p, scene, s.state, 0.5); });
   AllModels::all<stage::AtArrival>(s);
 }
 
@@ -133,12 +132,14 @@ void end_step(Step<Dim, Device>& s) {
 /// buffers that later steps use.
 template <int Dim, class Device>
 std::uint64_t launches_key(Step<Dim, Device>& s) {
-  constexpr Index most_particles = 500000;  // with more, launching is quick beside what is launched
   const bool varies =
       s.work.new_lists || s.work.lists != s.work.lists_before || AllModels::vary(s.scene) || s.timing.waits();
-  if (varies || s.p.count > most_particles) return 0;
-  return s.work.lists << 20 | static_cast<std::uint64_t>(ViscosityModel::iterations_ahead(s));
+  if (varies) return 0;
+  return s.work.lists << 20 | static_cast<std::uint64_t>(ViscosityModel::iterations_handed_over(s));
 }
+
+/// True if it pays to hand over launches as one: with more particles launching is quick beside what is launched.
+inline bool pays_to_repeat(Index particles) { return particles <= 500000; }
 
 /// One step in time, at most `longest` seconds. The host hands all of it to the device and waits once, at the end: for
 /// what came of it, and whether lists have to be made anew before the next.
@@ -151,7 +152,9 @@ StepResult advance(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   s.now.longest = longest;
   s.now.number = work.number;
   on.write(s.now, s.state);
-  on.repeat(launches_key(s), [&] {
+  const std::uint64_t key = launches_key(s);
+  work.launches.note(key);
+  on.repeat(pays_to_repeat(p.count) ? key : 0, [&] {
     begin_step(s);
     end_step(s);
   });

@@ -27,6 +27,49 @@ __global__ void __launch_bounds__(128) run_body(Index n, Body body, const int* f
   if (i < n) body(i);
 }
 
+/// A team: the 32 threads of a warp (backend/gpu.hpp).
+struct CudaTeam {
+  static constexpr Index size = 32;
+  static constexpr unsigned all = 0xffffffffU;
+  template <class T>
+  struct PerLane {
+    T own;
+    __device__ T& operator[](Index) { return own; }
+  };
+  Index lane;
+
+  template <class What>
+  __device__ void each(const What& what) {
+    what(lane);
+  }
+  template <class What>
+  __device__ void once(const What& what) {
+    if (lane == 0) what();
+  }
+  template <class What>
+  __device__ std::uint32_t ballot(const What& what) {
+    return __ballot_sync(all, what(lane));
+  }
+  template <class What>
+  __device__ std::uint32_t any_bits(const What& what) {
+    return __reduce_or_sync(all, what(lane));
+  }
+  template <class T>
+  __device__ T get(const PerLane<T>& of, Index from) {
+    return __shfl_sync(all, of.own, static_cast<int>(from));
+  }
+};
+
+/// body(i, team) for the team's own i; nothing where *flag is 0.
+template <class Body>
+__global__ void __launch_bounds__(128) run_team(Index n, Body body, const int* flag) {
+  if (flag != nullptr && *flag == 0) return;
+  const Index i = blockIdx.x * 4 + threadIdx.x / CudaTeam::size;
+  if (i >= n) return;  // all threads of a team
+  CudaTeam team{threadIdx.x % CudaTeam::size};
+  body(i, team);
+}
+
 /// combine() of of(i) over the block's i, every gridDim-th 128 of them: in an order that n alone decides, so that sums
 /// are the same in every run.
 template <class T, class Of, class Combine>
@@ -39,6 +82,21 @@ __global__ void __launch_bounds__(128)
   for (Index i = blockIdx.x * 128 + threadIdx.x; i < n; i += gridDim.x * 128) sum = combine(sum, of(i));
   const T total = BlockReduce(storage).Reduce(sum, combine);
   if (threadIdx.x == 0) partial[blockIdx.x] = total;
+}
+
+/// combine() of every `share` entries of what the blocks found.
+template <class T, class Combine>
+__global__ void __launch_bounds__(256) combine_blocks(Index blocks, Index share, T start, Combine combine,
+                                                      const T* partial, T* combined, const int* flag) {
+  using BlockReduce = cub::BlockReduce<T, 256>;
+  __shared__ typename BlockReduce::TempStorage storage;
+  if (flag != nullptr && *flag == 0) return;
+  const Index from = blockIdx.x * share;
+  const Index to = from + share < blocks ? from + share : blocks;
+  T sum = start;
+  for (Index b = from + threadIdx.x; b < to; b += 256) sum = combine(sum, partial[b]);
+  const T total = BlockReduce(storage).Reduce(sum, combine);
+  if (threadIdx.x == 0) combined[blockIdx.x] = total;
 }
 
 /// then() of what the blocks found.
@@ -55,19 +113,28 @@ __global__ void __launch_bounds__(256)
 }
 
 /// Gpu's Runtime (solver/backend/gpu.hpp) on the first CUDA device. All work goes to one stream, in order, but for the
-/// copying of snapshots; memory comes from the device's pool, which keeps what it was given back.
+/// copying of snapshots; memory comes from the device's pool, which keeps what it was given back, if it has one.
 struct CudaRuntime {
   static cudaStream_t stream() { return memory().stream; }
 
   static void* allocate(std::size_t bytes) {
     void* p = nullptr;
-    check_cuda(cudaMallocAsync(&p, bytes, stream()), "allocating memory");
+    if (memory().has_pool) {
+      check_cuda(cudaMallocAsync(&p, bytes, stream()), "allocating memory");
+    } else {
+      check_cuda(cudaMalloc(&p, bytes), "allocating memory");
+    }
     return p;
   }
   /// The snapshot thread frees its buffers on the copy stream, because the compute stream may be capturing a graph.
   static void release(void* p) noexcept {
+    if (p == nullptr) return;  // no use in checking below
+    if (!memory().has_pool) {
+      cudaFree(p);
+      return;
+    }
     const bool launching = std::this_thread::get_id() == memory().thread;
-    if (p != nullptr) cudaFreeAsync(p, launching ? stream() : memory().beside);  // no use in checking here
+    cudaFreeAsync(p, launching ? stream() : memory().beside);
   }
 
   /// A moment between launches.
@@ -130,6 +197,13 @@ struct CudaRuntime {
     check_cuda(cudaGetLastError(), "starting a kernel");
   }
 
+  template <class Body>
+  static void launch_teams(Index n, const Body& body, const int* flag) {
+    if (n == 0) return;
+    run_team<<<(n + 3) / 4, 128, 0, stream()>>>(n, body, flag);
+    check_cuda(cudaGetLastError(), "starting a kernel");
+  }
+
   template <class T, class Of, class Combine, class Then>
   static void reduce(Index n, const T& start, const Of& of, const Combine& combine, const Then& then, const int* flag) {
     static_assert(sizeof(T) <= largest_partial && std::is_trivially_copyable_v<T>);
@@ -137,7 +211,14 @@ struct CudaRuntime {
     const Index blocks = needed < most_blocks ? needed : most_blocks;
     T* partial = static_cast<T*>(memory().partial);
     if (blocks > 0) reduce_blocks<<<blocks, 128, 0, stream()>>>(n, start, of, combine, partial, flag);
-    finish_reduction<<<1, 256, 0, stream()>>>(blocks, start, combine, partial, then, flag);
+    if (blocks <= one_stage) {
+      finish_reduction<<<1, 256, 0, stream()>>>(blocks, start, combine, partial, then, flag);
+    } else {
+      const Index groups = (blocks + one_stage - 1) / one_stage;
+      T* combined = partial + most_blocks;
+      combine_blocks<<<groups, 256, 0, stream()>>>(blocks, one_stage, start, combine, partial, combined, flag);
+      finish_reduction<<<1, 256, 0, stream()>>>(groups, start, combine, combined, then, flag);
+    }
     check_cuda(cudaGetLastError(), "starting a kernel");
   }
 
@@ -210,7 +291,7 @@ struct CudaRuntime {
     });
   }
 
-  static void sort(std::uint64_t* key, Index* order, Index n) {
+  static void sort(std::uint64_t* key, Index* order, Index n, int used_bits) {
     DeviceBuffer<std::uint64_t, CudaRuntime> other_key;
     DeviceBuffer<Index, CudaRuntime> other_order;
     other_key.resize(n);
@@ -218,7 +299,7 @@ struct CudaRuntime {
     cub::DoubleBuffer<std::uint64_t> keys(key, other_key.data());
     cub::DoubleBuffer<Index> orders(order, other_order.data());
     with_scratch([&](void* scratch, std::size_t& bytes) {
-      return cub::DeviceRadixSort::SortPairs(scratch, bytes, keys, orders, static_cast<int>(n), 0, 64, stream());
+      return cub::DeviceRadixSort::SortPairs(scratch, bytes, keys, orders, static_cast<int>(n), 0, used_bits, stream());
     });
     if (keys.Current() != key) copy_on_device(key, keys.Current(), n * sizeof(std::uint64_t));
     if (orders.Current() != order) copy_on_device(order, orders.Current(), n * sizeof(Index));
@@ -227,12 +308,15 @@ struct CudaRuntime {
  private:
   static constexpr std::size_t largest_result = 512;
   static constexpr std::size_t largest_partial = 256;
-  /// Of a reduction: several waves on the largest GPU, few enough for one block to combine what they found.
-  static constexpr Index most_blocks = 4096;
+  /// Of a reduction: some 20 waves on the largest GPU, so that the last one, which is not full, costs little.
+  static constexpr Index most_blocks = 32768;
+  /// So many partial results one block combines; more are combined in two stages.
+  static constexpr Index one_stage = 1024;
   struct Memory {
     cudaStream_t stream = nullptr;
     cudaStream_t beside = nullptr;
     std::thread::id thread = std::this_thread::get_id();  // that launches
+    bool has_pool = false;                                // some drivers and virtual GPUs have none
     void* result = nullptr;                               // on the device
     void* partial = nullptr;                              // on the device
     void* result_on_host = nullptr;                       // page-locked
@@ -242,13 +326,17 @@ struct CudaRuntime {
       check_cuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "starting");
       check_cuda(cudaStreamCreateWithFlags(&beside, cudaStreamNonBlocking), "starting");
       check_cuda(cudaMalloc(&result, largest_result), "allocating memory");
-      check_cuda(cudaMalloc(&partial, most_blocks * largest_partial), "allocating memory");
+      check_cuda(cudaMalloc(&partial, (most_blocks + most_blocks / one_stage) * largest_partial), "allocating memory");
       check_cuda(cudaMallocHost(&result_on_host, largest_result), "allocating page-locked memory");
       check_cuda(cudaMallocHost(&sent_from_host, largest_result), "allocating page-locked memory");
       int device = 0;
+      int pools = 0;
       cudaMemPool_t pool = nullptr;
       std::uint64_t keep_all = UINT64_MAX;
       check_cuda(cudaGetDevice(&device), "starting");
+      check_cuda(cudaDeviceGetAttribute(&pools, cudaDevAttrMemoryPoolsSupported, device), "starting");
+      has_pool = pools != 0;
+      if (!has_pool) return;
       check_cuda(cudaDeviceGetDefaultMemPool(&pool, device), "starting");
       check_cuda(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &keep_all), "starting");
     }

@@ -58,7 +58,7 @@ concept Device = requires(D on, typename D::template Buffer<float>& numbers,
                           const int* flag, std::int64_t* counter) {
   typename D::PairCoefficient;
   { D::is_host } -> std::convertible_to<bool>;
-  { D::stores_coefficients } -> std::convertible_to<bool>;
+  { on.stores_coefficients() } -> std::convertible_to<bool>;
   D::atomic_add(counter, std::int64_t{1});
   on.fill(numbers, std::size_t{1}, 0.0F);
   on.download(numbers);

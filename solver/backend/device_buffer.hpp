@@ -29,6 +29,17 @@ class DeviceBuffer {
     }
     size_ = n;
   }
+  /// The same without the contents. The old memory is given back before more is asked for, a sixteenth more than is needed,
+  /// so that a buffer that grows a little now and then seldom moves.
+  void resize_anew(std::size_t n) {
+    if (n > capacity_) {
+      DeviceBuffer().swap(*this);
+      const std::size_t room = n + n / 16;
+      data_ = static_cast<T*>(Runtime::allocate(room * sizeof(T)));
+      capacity_ = room;
+    }
+    size_ = n;
+  }
   void swap(DeviceBuffer& b) noexcept {
     std::swap(data_, b.data_);
     std::swap(size_, b.size_);
@@ -38,6 +49,7 @@ class DeviceBuffer {
   [[nodiscard]] T* data() { return data_; }
   [[nodiscard]] const T* data() const { return data_; }
   [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t capacity() const { return capacity_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
  private:

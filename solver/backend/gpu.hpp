@@ -11,6 +11,7 @@
 #include "solver/backend/device.hpp"
 #include "solver/backend/device_buffer.hpp"
 #include "solver/backend/gpu_threads.hpp"
+#include "solver/backend/list_limit.hpp"
 
 // The verbs of a backend on a device with its own memory and a thread for each particle. How such a device is reached
 // is the Runtime's: CUDA's (solver/backend/cuda.cuh), or, in the tests, the host's with memory that nobody may touch
@@ -19,7 +20,8 @@
 //   allocate, release, copy_to_device, copy_to_host, copy_on_device     memory, in bytes
 //   send                                  a few bytes to the device, without waiting
 //   Mark, copy_to_host_after(mark, ...)   in another thread, beside what is asked for after the mark
-//   launch, reduce, scan, select, sort    what Gpu hands on; launch and reduce heed a flag on the device
+//   launch, launch_teams, reduce          what Gpu hands on; they heed a flag on the device
+//   scan, select, sort                    the same without a flag
 //   Recording: record(what), replay()     launches kept and asked for again as one
 //   wait, atomic_add
 namespace thalweg {
@@ -28,7 +30,11 @@ namespace thalweg {
 template <class Runtime>
 class Gpu {
  public:
-  static constexpr bool stores_coefficients = false;
+  Gpu() = default;
+  explicit Gpu(bool stores_coefficients) : stores_coefficients_(stores_coefficients) {}
+
+  /// True: the viscous iteration stores the coefficient of every pair, 8 bytes an entry of the lists.
+  [[nodiscard]] bool stores_coefficients() const { return stores_coefficients_; }
   using PairCoefficient = ShortFloat;
   static constexpr bool is_host = false;
   template <class T>
@@ -122,8 +128,28 @@ class Gpu {
     Runtime::reduce(n, start, of, combine, then, flag_);
   }
 
-  static Index exclusive_scan(const Buffer<Index>& counts, Buffer<Index>& offsets) {
+  /// body(i, team) for a team of threads each. Team::size threads run body together, each the same code; a team has
+  ///
+  ///   each(f), once(f)       f(lane) in every thread; f() in one
+  ///   ballot(f)              the bits of f(lane), for all of them
+  ///   any_bits(f)            f(lane) of all, or-ed
+  ///   PerLane<T>, get(x, l)  a number of every thread's own, x[lane]; that of thread l, for all of them
+  ///
+  /// Whatever decides which of these is called next is the same in all threads of a team.
+  template <class Body>
+  void for_each_team(Index n, const Body& body) const {
+    require_particle_body<Body>();
+    const Announcement announced(listener, access_of<Body>, flag_);
+    Runtime::launch_teams(n, body, flag_);
+  }
+
+  /// Throws InputError if the sum does not fit an Index.
+  Index exclusive_scan(const Buffer<Index>& counts, Buffer<Index>& offsets) const {
     offsets.resize(counts.size() + 1);
+    const Index* each = counts.data();
+    countable_entries(reduce(static_cast<Index>(counts.size()), std::uint64_t{0},
+                             declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index i) { return std::uint64_t{each[i]}; }),
+                             [] HOST_DEVICE(std::uint64_t a, std::uint64_t b) { return a + b; }));
     Runtime::scan(counts.data(), static_cast<Index>(counts.size()), offsets.data());
     return read(offsets.data() + counts.size());
   }
@@ -136,31 +162,8 @@ class Gpu {
     Runtime::select(n, candidate, keep, kept.data(), count);
   }
 
-  /// A thread searches for one cluster by itself: it has no memory to gather particles in.
-  static constexpr Index clusters_together = 1;
-
-  /// A find of a filter: one index at a time on a GPU.
-  struct Hit {
-    Index j;
-    HOST_DEVICE static Index count() { return 1; }
-    HOST_DEVICE Index write(Index* to) const {
-      *to = j;
-      return 1;
-    }
-    HOST_DEVICE std::uint8_t any(const std::uint8_t* flags) const { return flags[j]; }
-  };
-  template <int Dim, class Test, class Found>
-  HOST_DEVICE static void filter(const Vec<Dim, const std::int32_t*>& places, Index begin, Index end, const Test& test,
-                                 const Found& found) {
-    for (Index j = begin; j < end; ++j) {
-      Vec<Dim, std::int32_t> place{};
-      for (int k = 0; k < Dim; ++k) place[k] = places[k][j];
-      if (test(place)) found(Hit{j});
-    }
-  }
-
-  static void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order) {
-    Runtime::sort(key.data(), order.data(), static_cast<Index>(key.size()));
+  static void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order, int used_bits = 64) {
+    Runtime::sort(key.data(), order.data(), static_cast<Index>(key.size()), used_bits);
   }
 
   template <class T>
@@ -190,6 +193,7 @@ class Gpu {
   }
 
  private:
+  bool stores_coefficients_ = false;
   const int* flag_ = nullptr;
   typename Runtime::Recording recording_;
   std::uint64_t recorded_ = 0;  // key of the recording

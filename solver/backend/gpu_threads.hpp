@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -9,6 +10,22 @@
 
 // The bodies of a GPU's threads: a pair sweep, and what buffers need.
 namespace thalweg {
+
+/// Loads 16 bytes at once, on the device in its own words: the compiler makes two loads of one of which 12 bytes are used, and
+/// the first cache works for each. Nothing that a sweep writes is read of neighbours, so that its order beside stores is free.
+template <class Quad>
+HOST_DEVICE inline void load_whole(Quad& quad, const void* from) {
+  static_assert(sizeof(Quad) == 16);
+#if defined(__CUDA_ARCH__)
+  unsigned part[4];
+  asm("ld.global.v4.u32 {%0, %1, %2, %3}, [%4];"
+      : "=r"(part[0]), "=r"(part[1]), "=r"(part[2]), "=r"(part[3])
+      : "l"(__cvta_generic_to_global(from)));
+  memcpy(&quad, part, sizeof(quad));
+#else
+  memcpy(&quad, __builtin_assume_aligned(from, 16), sizeof(quad));
+#endif
+}
 
 /// Fills a lane from the quads of one record.
 template <int Dim>
@@ -24,8 +41,7 @@ struct RecordReader {
     constexpr unsigned wanted = quads | quad_place;
     for (int q = 0; q < 4; ++q) {
       if ((wanted & (1U << q)) == 0) continue;
-      const auto* from = static_cast<const char*>(__builtin_assume_aligned(record, 16)) + q * sizeof(Quad);
-      memcpy(&quad[q], from, sizeof(Quad));
+      load_whole(quad[q], static_cast<const char*>(record) + q * sizeof(Quad));
     }
   }
 
@@ -55,12 +71,25 @@ HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Record* reco
 template <int Dim, unsigned quads>
 HOST_DEVICE inline Lane<Dim, float, std::int32_t> read_record(const Vectors* vectors) {
   Lane<Dim, float, std::int32_t> lane{};
-  for (int k = 0; k < Dim; ++k) lane.work[k] = vectors->work[axis<Dim>(k)];
+  Vectors all;
+  load_whole(all, vectors);
+  for (int k = 0; k < Dim; ++k) lane.work[k] = all.work[axis<Dim>(k)];
   return lane;
 }
 
 /// The result of a sweep whose end() returns nothing.
 struct NoResult {};
+
+/// Four entries of a list in one load; lists begin and end at multiples of four.
+struct alignas(16) EntryQuad {
+  Index entry[list_padding];
+};
+static_assert(list_padding == 4);
+HOST_DEVICE inline EntryQuad read_entries(const Index* entries) {
+  EntryQuad quad;
+  load_whole(quad, entries);
+  return quad;
+}
 
 /// The pair sweep of one thread: particle n % 4 of the n/4-th cluster visited. The four threads of a cluster walk the
 /// same list, so that a neighbour's record is fetched once for all of them. Result is what end() returns; a thread
@@ -74,6 +103,24 @@ struct SweepThread {
   Body body;
   Result none;
 
+  /// Neighbours on their way at a time: so many quads of them fit into registers beside the sum.
+  static constexpr int quads_of_one =
+      std::is_same_v<From, Record> ? std::popcount(Body::neighbours::quads | quad_place) : 1;
+  static constexpr Index in_flight = quads_of_one > 3 ? 1 : quads_of_one > 2 ? 2 : 4;
+  static_assert(list_padding % in_flight == 0);
+
+  HOST_DEVICE PairGeometry<Dim, float> geometry_of(const Lane<Dim, float, std::int32_t>& a,
+                                                   const Lane<Dim, float, std::int32_t>& b) const {
+    PairGeometry<Dim, float> geometry{};
+    if constexpr (std::is_same_v<From, Record>) {
+      for (int k = 0; k < Dim; ++k) {
+        geometry.r[k] = to_float(lane_difference(a.place[k], b.place[k])) * metric.quantum[k];
+      }
+      metric.template complete<Body::kernel>(geometry);
+    }
+    return geometry;
+  }
+
   HOST_DEVICE Result operator()(Index n) const {
     const Index cluster = range[n / cluster_size];
     const Index i = list.first(cluster) + n % cluster_size;
@@ -82,16 +129,15 @@ struct SweepThread {
     const auto a = read_record<Dim, quads>(records + i);
     typename Body::template Sum<float> sum{};
     const Index end = list.begin[cluster + 1];
-    for (Index e = list.begin[cluster]; e < end; ++e) {
-      const auto b = read_record<Dim, quads>(records + list.entries[e]);
-      PairGeometry<Dim, float> geometry{};
-      if constexpr (std::is_same_v<From, Record>) {
-        for (int k = 0; k < Dim; ++k) {
-          geometry.r[k] = to_float(lane_difference(a.place[k], b.place[k])) * metric.quantum[k];
+    for (Index e = list.begin[cluster]; e < end; e += list_padding) {
+      const EntryQuad next = read_entries(list.entries + e);
+      for (Index k = 0; k < list_padding; k += in_flight) {
+        Lane<Dim, float, std::int32_t> b[in_flight];
+        for (Index f = 0; f < in_flight; ++f) b[f] = read_record<Dim, quads>(records + next.entry[k + f]);
+        for (Index f = 0; f < in_flight; ++f) {
+          body.pair(a, b[f], geometry_of(a, b[f]), std::size_t{e + k + f} * cluster_size + n % cluster_size, sum);
         }
-        metric.template complete<Body::kernel>(geometry);
       }
-      body.pair(a, b, geometry, std::size_t{e} * cluster_size + n % cluster_size, sum);
     }
     if constexpr (std::is_same_v<Result, NoResult>) {
       body.end(i, sum);

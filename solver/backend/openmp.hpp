@@ -25,8 +25,8 @@ void stable_sort_by_key(HostBuffer<std::uint64_t>& key, HostBuffer<Index>& order
 template <int W = native_width, class Real = float>
 struct OpenMp {
   /// True: the sweeps of an iteration store the coefficient of every pair. False: they compute it again. Memory is
-  /// plentiful here and arithmetic is not; on a GPU it is the other way round.
-  static constexpr bool stores_coefficients = true;
+  /// plentiful here and arithmetic is not; on a GPU its free memory decides.
+  static constexpr bool stores_coefficients() { return true; }
   using PairCoefficient = std::conditional_t<sizeof(Real) == sizeof(float), ShortFloat, float>;
   template <class T>
   using Buffer = HostBuffer<T>;
@@ -209,7 +209,10 @@ struct OpenMp {
     return OpenMpLists<W, Dim>{threads}.make(n, search, begin, entries, spare);
   }
 
-  void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order) const { stable_sort_by_key(key, order); }
+  /// Sorts `order` by `key`, of which no bit from used_bits on is set, keeping the order of equal keys.
+  void sort_by_key(Buffer<std::uint64_t>& key, Buffer<Index>& order, int /*used_bits*/ = 64) const {
+    stable_sort_by_key(key, order);
+  }
 
   /// buffer[i] = old buffer[order[i]]; entries beyond the order stay.
   template <class T>

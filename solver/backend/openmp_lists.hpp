@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "solver/backend/buffer.hpp"
+#include "solver/backend/list_limit.hpp"
 #include "solver/backend/pack.hpp"
 #include "solver/state/cluster_list.hpp"
 
@@ -177,6 +178,7 @@ class ListScratch {
 template <int W, int Dim>
 struct OpenMpLists {
   int threads;
+  std::uint64_t most_entries = most_list_entries;
 
   /// As OpenMp::make_lists. The entries get a twentieth more room than they take, so that most searches need not be
   /// done once more for lack of room.
@@ -184,28 +186,29 @@ struct OpenMpLists {
   Index make(Index n, const Search& search, HostBuffer<Index>& begin, HostBuffer<Index>& entries, Index spare) const {
     begin.resize(std::size_t{n} + 1);
     entries.resize(entries.capacity());
-    Index total = 0;
+    std::uint64_t total = 0;
     while (true) {
       const std::size_t room = entries.size() < spare ? 0 : entries.size() - spare;
       total = search_blocks(search, begin.data(), entries.data(), room);
+      countable_entries(total, most_entries);
       if (total <= room) break;
       HostBuffer<Index>().swap(entries);  // before more is asked for
-      entries.resize(std::size_t{total} + total / 20 + spare);
+      entries.resize(total + total / 20 + spare);
     }
-    begin[n] = total;
-    entries.resize(std::size_t{total} + spare);
-    return total;
+    begin[n] = static_cast<Index>(total);
+    entries.resize(total + spare);
+    return begin[n];
   }
 
  private:
   /// Searches for all groups; entries are copied as long as they find room. Returns how many there are.
   template <class Search>
-  Index search_blocks(const Search& search, Index* begin, Index* entries, std::size_t room) const {
+  std::uint64_t search_blocks(const Search& search, Index* begin, Index* entries, std::size_t room) const {
     constexpr Index block = 32;  // some 100 kB of entries, which stay in the second cache
     constexpr Index least_parallel = 128;
     const Index groups = search.groups();
     const Index blocks = (groups + block - 1) / block;
-    Index total = 0;
+    std::uint64_t total = 0;
 #pragma omp parallel num_threads(threads) if (groups >= least_parallel)
     {
       ListScratch<W, Dim> lists;
@@ -213,14 +216,14 @@ struct OpenMpLists {
       for (Index b = 0; b < blocks; ++b) {
         lists.start();
         for (Index g = b * block; g < std::min(groups, (b + 1) * block); ++g) search(g, lists);
-        Index before = 0;
+        std::uint64_t before = 0;
 #pragma omp ordered
         {
           before = total;
           total += lists.entries();
         }
-        lists.write_begins(before, begin + search.first_cluster(b * block));
-        if (std::size_t{before} + lists.entries() <= room) lists.write_entries(entries + before);
+        lists.write_begins(static_cast<Index>(before), begin + search.first_cluster(b * block));
+        if (before + lists.entries() <= room) lists.write_entries(entries + before);
       }
     }
     return total;

@@ -1,41 +1,28 @@
 #pragma once
 
+#include <type_traits>
+
 #include "solver/lists/drift.hpp"
 #include "solver/lists/entries.hpp"
 #include "solver/lists/selection.hpp"
+#include "solver/lists/team_search.hpp"
 
 // Neighbour lists: particles are sorted along a Hilbert curve of cells one list reach wide, and every cluster of four
 // consecutive ones gets one list of all particles within reach of any of them. The reach exceeds the kernel's support
 // by a skin, so that a list serves for some steps (drift.hpp).
 namespace thalweg::neighbours {
 
-/// Particle pass: copies one direction of the places into an array of its own.
-struct PlaceAlongPass {
-  using reads = Reads<field::place>;
-  using writes = Writes<>;
-  const Record* records;
-  int component;
-  std::int32_t* to;
-  HOST_DEVICE void operator()(Index i) const { to[i] = records[i].place[component]; }
-};
-
-/// The search over the particles in their present order and places, with the arrays it reads.
-template <int Dim, class Device>
-struct SearchArrays {
-  Cells<Dim, Device> cells;
-  typename Device::template Buffer<std::int32_t> places[Dim];
-  ClusterSearch<Dim, Device> search;
-
-  SearchArrays(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) : cells(fill_cells<Dim>(on, p, scene)) {
-    const auto reach = static_cast<float>(scene.list_reach);
-    search = {cells.table, scene.lattice, p.record.data(), {}, reach * reach};
-    for (int k = 0; k < Dim; ++k) {
-      places[k].resize(p.count + filter_overrun);
-      search.places[k] = places[k].data();
-      on.for_each(p.count, PlaceAlongPass{p.record.data(), axis<Dim>(k), places[k].data()});
-    }
+/// Makes the lists of all clusters, and their marks. Returns the number of entries.
+template <int Dim, class Device, class Arrays>
+Index make_entries(Device& on, Particles<Device>& p, const Arrays& arrays, const ClusterMarks& marks) {
+  constexpr Index spare = 2 * list_prefetch;
+  if constexpr (Device::is_host) {
+    return on.template make_lists<Dim>(p.clusters, GroupSearch<Dim, Device>{arrays.search, p.list(), marks},
+                                       p.list_begin, p.list_entries, spare);
+  } else {
+    return make_lists_by_teams<Dim>(on, p, arrays.search, marks, spare);
   }
-};
+}
 
 /// A byte a particle for its phase, where a record is a line of the cache.
 template <class Device>
@@ -85,7 +72,8 @@ void choose_clusters(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
 /// Makes the lists for the particles in their present order and places.
 template <int Dim, class Device>
 void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  const SearchArrays<Dim, Device> arrays(on, p, scene);
+  const std::conditional_t<Device::is_host, GroupSearchArrays<Dim, Device>, TeamSearchArrays<Dim, Device>> arrays(
+      on, p, scene);
   p.fluid_clusters = (p.fluid_count + cluster_size - 1) / cluster_size;
   p.clusters = p.fluid_clusters + (p.count - p.fluid_count + cluster_size - 1) / cluster_size;
   typename Device::template Buffer<std::uint8_t> marks;
@@ -93,7 +81,11 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   marks.resize(p.clusters);
   const bool asks_for_phases = scene.has_sediment || scene.needs_near_walls;
   if (asks_for_phases) mark_phases(on, p, phase);
-  make_entries<Dim>(on, p, arrays.search, ClusterMarks{asks_for_phases ? phase.data() : nullptr, marks.data()});
+  const ClusterMarks asked{asks_for_phases ? phase.data() : nullptr, marks.data()};
+  const Index total = make_entries<Dim>(on, p, arrays, asked);
+  const Index none = p.count;
+  Index* entries = p.list_entries.data();
+  on.for_each(2 * list_prefetch, declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index e) { entries[total + e] = none; }));
   choose_clusters(on, p, scene, marks.data());
   fill_drift_blocks(on, p, arrays.cells.table);
 }

@@ -12,8 +12,6 @@ namespace thalweg {
 
 namespace neighbours {
 
-inline constexpr std::uint64_t wall_section = std::uint64_t{1} << 62;
-inline constexpr std::uint64_t gone_section = std::uint64_t{1} << 63;
 /// A list cell is ordered inside by eighths, so that four in a row lie close together.
 inline constexpr int fine_bits = 3;
 
@@ -69,8 +67,14 @@ struct HilbertKey {
   }
   HOST_DEVICE std::uint64_t operator()(Index i) const {
     const std::uint64_t along = hilbert_code<Dim>(cell_of<Dim>(lattice, records[i].place, fine_bits), bits);
-    return is_wall(records[i]) ? along | wall_section : along;
+    return is_wall(records[i]) ? along | std::uint64_t{1} << (Dim * bits) : along;
   }
+  /// The key of a particle that leaves the arrays: behind all others.
+  [[nodiscard]] HOST_DEVICE std::uint64_t of_gone(Index i) const {
+    return (*this)(i) | std::uint64_t{1} << (Dim * bits + 1);
+  }
+  /// Bits of a key that can be set.
+  [[nodiscard]] int used_bits() const { return Dim * bits + 2; }
 };
 
 /// True if the particles stand in the order of their list cells, which the search for neighbours relies on.
@@ -96,10 +100,10 @@ typename Device::template Buffer<Index> hilbert_order(Device& on, const Particle
   std::uint64_t* k = keys.data();
   Index* o = order.data();
   on.for_each(n, declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
-                k[i] = gone(i) ? key(i) | gone_section : key(i);
+                k[i] = gone(i) ? key.of_gone(i) : key(i);
                 o[i] = i;
               }));
-  on.sort_by_key(keys, order);
+  on.sort_by_key(keys, order, key.used_bits());
   return order;
 }
 

@@ -96,6 +96,19 @@ struct Scene : detail::SceneOf<Dim, AllModels> {};
 template <class Device>
 struct Particles : detail::ParticlesOf<Device, AllModels> {};
 
+/// Counts of the steps whose launches a GPU hands over as one, on whatever device the scene runs.
+struct LaunchCounts {
+  std::int64_t fixed = 0;     // known before the step
+  std::int64_t repeated = 0;  // of these, those of the step before
+  std::uint64_t last = 0;     // key (launches_key in step.hpp)
+
+  void note(std::uint64_t key) {
+    if (key != 0) ++fixed;
+    if (key != 0 && key == last) ++repeated;
+    last = key;
+  }
+};
+
 /// State of the step that lives between calls, beside the particles.
 template <class Device>
 struct Workspace : detail::WorkspaceOf<Device, AllModels> {
@@ -109,6 +122,7 @@ struct Workspace : detail::WorkspaceOf<Device, AllModels> {
   bool new_lists = false;              // made since the last step
   std::uint64_t lists = 1;             // counts changes of any list of clusters
   std::uint64_t lists_before = 0;      // the same at the start of the last step
+  LaunchCounts launches;
 };
 
 }  // namespace thalweg

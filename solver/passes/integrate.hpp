@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "solver/backend/device.hpp"
 #include "solver/state/particles.hpp"
 #include "solver/state/scene.hpp"
@@ -77,22 +79,6 @@ struct DriftPass {
   }
 };
 
-/// Particle pass: densities by the rates half-way.
-struct DensityPass {
-  using reads = Reads<field::matter, field::rates, field::role>;
-  using writes = Writes<field::matter>;
-
-  Record* records;
-  const Rates* rates;
-  const Role* roles;
-  const StepState* state;
-
-  HOST_DEVICE void operator()(Index i) const {
-    if (!is_integrated(roles, i)) return;
-    records[i].excess += static_cast<float>(state->step.dt) * rates[i].excess_rate;
-  }
-};
-
 /// Particle pass: DriftPass with velocity plus drift.
 template <int Dim>
 struct CarriedDriftPass {
@@ -109,6 +95,24 @@ struct CarriedDriftPass {
   }
 };
 
+/// Particle pass: densities by the rates half-way, then the second half of the way.
+template <class Drift>
+struct DensityAndDriftPass {
+  using reads = typename Drift::reads::template With<field::matter, field::rates, field::role>;
+  using writes = typename Drift::writes;
+
+  Drift drift;
+  Record* records;
+  const Rates* rates;
+  const Role* roles;
+  const StepState* state;
+
+  HOST_DEVICE void operator()(Index i) const {
+    if (is_integrated(roles, i)) records[i].excess += static_cast<float>(state->step.dt) * rates[i].excess_rate;
+    drift(i);
+  }
+};
+
 template <class Device>
 void kick(Device& on, Particles<Device>& p, const StepState* state) {
   on.for_each(p.fluid_count, KickPass{p.record.data(), p.rates.data(), p.roles(), state});
@@ -121,9 +125,16 @@ void drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const Step
   on.for_each(p.fluid_count, pass);
 }
 
-template <class Device>
-void update_density(Device& on, Particles<Device>& p, const StepState* state) {
-  on.for_each(p.fluid_count, DensityPass{p.record.data(), p.rates.data(), p.roles(), state});
+template <int Dim, class Device>
+void update_density_and_drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state,
+                              double share) {
+  const DriftPass<Dim> pass{p.record.data(), p.position.data(), scene, state, share};
+  const auto run = [&](const auto& drift_pass) {
+    on.for_each(p.fluid_count, DensityAndDriftPass<std::remove_cvref_t<decltype(drift_pass)>>{
+                                   drift_pass, p.record.data(), p.rates.data(), p.roles(), state});
+  };
+  if (scene.has_drift) return run(CarriedDriftPass<Dim>{pass});
+  run(pass);
 }
 
 }  // namespace thalweg

@@ -153,12 +153,14 @@ GaugeRow RunOutput::gauges(Simulation& simulation, const Case& of, const RunCloc
 void RunOutput::checkpoint(Simulation& simulation, const RunClock& clock, const std::string& case_text,
                            const RunCounts& counts) {
   Checkpoint checkpoint{simulation.full_state(), case_text, counts};
-  writing_.wait();
-  lock_.require_folder();
-  sync_series_tables();
-  if (excluded_) excluded_->sync();
   checkpoint.particles.info = info_at(clock);
-  write_checkpoint(folder_, checkpoint);
+  writing_.wait();
+  if (excluded_) excluded_->sync();
+  writing_.start([this, checkpoint = std::move(checkpoint)] {
+    lock_.require_folder();
+    sync_series_tables();
+    write_checkpoint(folder_, checkpoint);
+  });
 }
 
 void RunOutput::exclude(const std::vector<ExcludedParticle>& particles, const RunClock& clock) {
@@ -224,6 +226,9 @@ void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunC
     row("viscous_retries", counts.viscous_retries, "-");
     row("pressure_sweeps_per_step", fmt::format("{:.2f}", static_cast<double>(counts.pressure_sweeps) / steps), "-");
     row("list_rebuilds", facts.list_rebuilds, "-");
+    const double done = std::max(1.0, static_cast<double>(steps_now));
+    row("fixed_launches", fmt::format("{:.3f}", static_cast<double>(facts.fixed_launches) / done), "-");
+    row("repeated_launches", fmt::format("{:.3f}", static_cast<double>(facts.repeated_launches) / done), "-");
     row("neighbours_mean", fmt::format("{:.1f}", facts.neighbours_mean), "-");
     row("list_entries_per_particle", fmt::format("{:.1f}", facts.list_entries_per_particle), "-");
     row("bytes_per_particle", fmt::format("{:.0f}", facts.bytes_per_particle), "B");

@@ -1,5 +1,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <array>
 #include <cstdlib>
@@ -8,10 +9,8 @@
 
 #include "common/error.hpp"
 #include "common/installation.hpp"
-#include "common/memory.hpp"
-#include "common/units.hpp"
+#include "solver/simulation/gpu_memory.hpp"
 #include "solver/simulation/input.hpp"
-#include "solver/simulation/memory.hpp"
 
 namespace thalweg {
 namespace {
@@ -73,22 +72,23 @@ class Module {
   void* handle_ = nullptr;
 };
 
-/// Refuses a scene that the device cannot hold, before anything is allocated.
-void check_memory(const SimulationInput& input, double available) {
-  std::visit(
-      [&](const auto& scene) {
-        constexpr int dimension = std::is_same_v<std::decay_t<decltype(scene)>, Scene<3>> ? 3 : 2;
-        const auto particles = static_cast<double>(input.particles->size());
-        const double needed = particles * bytes_per_particle<GpuSizes>(scene);
-        if (needed <= available) return;
-        throw InputError(
-            fmt::format("--backend cuda: {:.3g} particles need {} on the GPU, which has {} free; fill the scene with a "
-                        "spacing of {} "
-                        "or more (numerics.spacing), or use --backend openmp",
-                        particles, format_bytes(needed), format_bytes(available),
-                        format_quantity(spacing_that_fits(scene.spacing, needed, available, dimension), "m")));
-      },
-      input.scene);
+/// True if the pair coefficients of the viscous solve are to be stored: where there is room, or as the environment says,
+/// for measurements.
+bool stores_coefficients(const SimulationInput& input, double available) {
+  const char* asked = getenv("THALWEG_PAIR_COEFFICIENTS");
+  const std::string word = asked == nullptr ? "" : asked;
+  if (word == "stored" || word == "computed") return word == "stored";
+  if (!word.empty()) throw InputError("THALWEG_PAIR_COEFFICIENTS=" + word + ": write stored or computed, or unset it");
+  return coefficients_fit(estimate_gpu_memory(input.scene, *input.particles), available);
+}
+
+/// On the GPU with the core that was loaded for it.
+std::unique_ptr<Simulation> make_with(const Module& core, const SimulationInput& input) {
+  const double available = core.function<DeviceMemory>("thalweg_device_memory")();
+  require_gpu_memory(input.scene, *input.particles, available);
+  SimulationInput on_gpu = input;
+  on_gpu.stores_coefficients = stores_coefficients(input, available);
+  return core.make(on_gpu);
 }
 
 /// On the GPU; nullptr where there is none to be used and nobody insists.
@@ -96,18 +96,24 @@ std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insis
   if (find_core("cuda").empty()) {
     if (!insist) return nullptr;
     throw InputError(
-        "--backend cuda: this build has no CUDA core; configure with -DTHALWEG_CUDA=ON where the CUDA Toolkit is, or "
-        "use "
-        "--backend openmp");
+        "--backend cuda: this build has no CUDA core; install the CUDA Toolkit (12 or newer), then run "
+        "\"cmake --preset release\" and \"tools/build cuda\"; or use --backend openmp");
   }
-  const Module core("cuda");
-  const std::string problem = core.function<DeviceProblem>("thalweg_device_problem")();
-  if (!problem.empty()) {
-    if (!insist) return nullptr;
-    throw InputError("--backend cuda: " + problem);
+  if (insist) {
+    const Module core("cuda");
+    const std::string problem = core.function<DeviceProblem>("thalweg_device_problem")();
+    if (!problem.empty()) throw InputError("--backend cuda: " + problem);
+    return make_with(core, input);
   }
-  check_memory(input, core.function<DeviceMemory>("thalweg_device_memory")());
-  return core.make(input);
+  // Nobody insists: whatever is wrong with the GPU, CPU cores do.
+  try {
+    const Module core("cuda");
+    if (*core.function<DeviceProblem>("thalweg_device_problem")() != '\0') return nullptr;
+    return make_with(core, input);
+  } catch (const std::runtime_error& e) {
+    spdlog::warn("computing on CPU cores, because the GPU cannot be used: {}", e.what());
+    return nullptr;
+  }
 }
 
 std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, const std::string& instruction_set) {

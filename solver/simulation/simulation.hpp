@@ -19,6 +19,8 @@ struct SimulationFacts {
   std::int64_t particles = 0;
   std::int64_t fluid_particles = 0;
   std::int64_t list_rebuilds = 0;
+  std::int64_t fixed_launches = 0;       // steps whose launches on a GPU are known before the step
+  std::int64_t repeated_launches = 0;    // of these, those with the launches of the step before
   double list_entries_per_particle = 0;  // with skin, sharing and padding
   double neighbours_mean = 0;            // particles within the support of a fluid particle
   double bytes_per_particle = 0;

@@ -40,6 +40,7 @@ class SimulationOn final : public Simulation {
     if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
     if (scene_.surface_bed.on) load_surface_bed(on_, p_, scene_, work_, surface_bed, from);
     if (scene_.mixing_length) bring_eddy_viscosity(on_, p_, scene_);
+    if (scene_.may_rest) load_rest(work_, from);
     if (scene_.current.on) load_control(on_, work_, scene_, from);
     if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
@@ -96,6 +97,8 @@ class SimulationOn final : public Simulation {
     f.particles = p_.count;
     f.fluid_particles = p_.fluid_count;
     f.list_rebuilds = work_.list_rebuilds;
+    f.fixed_launches = work_.launches.fixed;
+    f.repeated_launches = work_.launches.repeated;
     f.device = name_;
     if (p_.count == 0) return f;
     f.list_entries_per_particle = double(p_.list_entries.size()) / p_.count;
@@ -136,6 +139,7 @@ class SimulationOn final : public Simulation {
     ParticleSet out = snapshot();
     add_full_state(on_, p_, scene_, out);
     work_.population.add_to(out);
+    if (scene_.may_rest) add_rest(work_, out);
     if (scene_.current.on) add_control(on_.read(work_.control.data()), out);
     if (scene_.has_openings) add_openings(on_, work_, out);
     if (scene_.surface_bed.on) add_surface_bed(on_, work_, out);

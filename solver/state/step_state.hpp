@@ -68,8 +68,8 @@ struct StepState {
   int shifts = 0;                 // 1: particles are shifted at the end of the step (models/shifting)
   ViscousState viscous;
   std::int64_t capped = 0;  // particles whose viscosity was cut
-  Index woken = 0;          // particles of the bed
-  Index stopped = 0;        // particles of the bed
+  Index woken = 0;          // particles of the bed, beside walls that move
+  Index waiting = 0;        // particles of the bed that are due to stop or to wake (models/rest)
   float squared_drift = 0;  // [m^2] since the lists were made (lists/drift.hpp); infinite if a particle left the domain
 };
 

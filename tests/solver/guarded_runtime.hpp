@@ -4,21 +4,95 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <new>
+#include <numeric>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "solver/backend/gpu.hpp"
 
 namespace thalweg::test {
 
-/// Stands for a GPU where there is none: what Gpu and the passes do runs as on one, a thread after the other. Its
-/// memory can be touched only while "the device" works, and ends where an inaccessible page begins: host code that
-/// reads device memory, and a thread that writes past an array's end, crash at once.
+/// The order in which the threads of a launch run: forward, or as the environment's THALWEG_THREAD_ORDER says, "reverse" or
+/// "scrambled". A result that depends on it would be a race on a GPU.
+class ThreadOrder {
+ public:
+  explicit ThreadOrder(Index n) : n_(n), step_(1), first_(0) {
+    if (kind() == Kind::reverse) first_ = n == 0 ? 0 : n - 1, step_ = n == 0 ? 0 : n - 1;
+    if (kind() == Kind::scrambled && n > 1) {
+      first_ = n / 3;
+      for (step_ = n / 2 + n / 8 + 1; std::gcd(std::uint64_t{step_}, std::uint64_t{n}) != 1; ++step_) continue;
+    }
+  }
+  /// The i-th thread that runs: each once, a fixed step apart around the end.
+  Index operator[](Index i) const {
+    return static_cast<Index>((std::uint64_t{first_} + std::uint64_t{i} * step_) % n_);
+  }
+
+ private:
+  enum class Kind { forward, reverse, scrambled };
+  static Kind kind() {
+    static const Kind chosen = [] {
+      const char* name = getenv("THALWEG_THREAD_ORDER");
+      const std::string order = name == nullptr ? "forward" : name;
+      if (order == "forward") return Kind::forward;
+      if (order == "reverse") return Kind::reverse;
+      if (order == "scrambled") return Kind::scrambled;
+      throw std::invalid_argument("THALWEG_THREAD_ORDER=" + order + ": forward, reverse or scrambled");
+    }();
+    return chosen;
+  }
+  Index n_;
+  Index step_;
+  Index first_;
+};
+
+/// A team of 32 threads (solver/backend/gpu.hpp) that run one after the other.
+struct GuardedTeam {
+  static constexpr Index size = 32;
+  template <class T>
+  struct PerLane {
+    T of[size] = {};
+    T& operator[](Index lane) { return of[lane]; }
+  };
+  template <class What>
+  void each(const What& what) {
+    const ThreadOrder order(size);
+    for (Index i = 0; i < size; ++i) what(order[i]);
+  }
+  template <class What>
+  void once(const What& what) {
+    what();
+  }
+  template <class What>
+  std::uint32_t ballot(const What& what) {
+    std::uint32_t bits = 0;
+    each([&](Index lane) { bits |= what(lane) ? 1U << lane : 0U; });
+    return bits;
+  }
+  template <class What>
+  std::uint32_t any_bits(const What& what) {
+    std::uint32_t bits = 0;
+    each([&](Index lane) { bits |= what(lane); });
+    return bits;
+  }
+  template <class T>
+  T get(const PerLane<T>& of, Index lane) {
+    return of.of[lane];
+  }
+};
+
+/// Stands for a GPU where there is none: what Gpu and the passes do runs as on one, a thread after the other, in one of
+/// several orders (ThreadOrder). Its memory can be touched only while "the device" works, and ends where an inaccessible
+/// page begins: host code that reads device memory, and a thread that writes past an array's end, crash at once. Fresh
+/// memory is full of ones, which are NaN as floats and far out of range as numbers: what is read before it is written
+/// shows.
 struct GuardedRuntime {
   static void* allocate(std::size_t bytes) {
     if (recorder() != nullptr) throw std::logic_error("memory allocated while launches are recorded");
@@ -28,14 +102,21 @@ struct GuardedRuntime {
     void* block = mmap(nullptr, whole + page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (block == MAP_FAILED) throw std::bad_alloc();
     char* memory = static_cast<char*>(block) + whole - used;
+    mprotect(block, whole, PROT_READ | PROT_WRITE);
+    memset(memory, 0xFF, used);
+    mprotect(block, whole, PROT_NONE);
     const std::lock_guard alone(mutex());
     blocks()[memory] = {block, whole};
+    in_use() += bytes;
+    peak() = std::max(peak(), in_use());
+    blocks()[memory].asked = bytes;
     return memory;
   }
   static void release(void* p) noexcept {
     if (p == nullptr) return;
     const std::lock_guard alone(mutex());
     const auto found = blocks().find(p);
+    in_use() -= found->second.asked;
     munmap(found->second.begin, found->second.bytes + page_size());
     blocks().erase(found);
   }
@@ -50,6 +131,16 @@ struct GuardedRuntime {
   /// Not waited for by the thread that launches.
   static void copy_to_host_after(const Mark&, void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
   static void copy_on_device(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
+
+  /// Bytes that are allocated, and the most that were.
+  static std::size_t& in_use() {
+    static std::size_t n = 0;
+    return n;
+  }
+  static std::size_t& peak() {
+    static std::size_t n = 0;
+    return n;
+  }
 
   /// The number of times that the host has waited for the device.
   static int& waits() {
@@ -68,15 +159,27 @@ struct GuardedRuntime {
   template <class Body>
   static void launch(Index n, const Body& body, const int* flag) {
     submit([=] {
-      for (Index i = 0; is_on(flag) && i < n; ++i) body(i);
+      const ThreadOrder order(n);
+      for (Index i = 0; is_on(flag) && i < n; ++i) body(order[i]);
+    });
+  }
+  template <class Body>
+  static void launch_teams(Index n, const Body& body, const int* flag) {
+    submit([=] {
+      const ThreadOrder order(n);
+      for (Index i = 0; is_on(flag) && i < n; ++i) {
+        GuardedTeam team;
+        body(order[i], team);
+      }
     });
   }
   template <class T, class Of, class Combine, class Then>
   static void reduce(Index n, const T& start, const Of& of, const Combine& combine, const Then& then, const int* flag) {
     submit([=] {
       if (!is_on(flag)) return;
+      const ThreadOrder order(n);
       T sum = start;
-      for (Index i = 0; i < n; ++i) sum = combine(sum, of(i));
+      for (Index i = 0; i < n; ++i) sum = combine(sum, of(order[i]));
       then(sum);
     });
   }
@@ -122,17 +225,22 @@ struct GuardedRuntime {
   template <class Candidate, class Keep>
   static void select(Index n, const Candidate& candidate, const Keep& keep, Index* kept, Index* count) {
     const AtWork at_work;
+    std::vector<std::uint8_t> is_kept(n);
+    const ThreadOrder order(n);
+    for (Index i = 0; i < n; ++i) is_kept[order[i]] = keep(candidate(order[i])) ? 1 : 0;
     Index found = 0;
     for (Index i = 0; i < n; ++i) {
-      const Index c = candidate(i);
-      if (keep(c)) kept[found++] = c;
+      if (is_kept[i] != 0) kept[found++] = candidate(i);
     }
     *count = found;
   }
-  static void sort(std::uint64_t* key, Index* order, Index n) {
+  static void sort(std::uint64_t* key, Index* order, Index n, int used_bits) {
     const AtWork at_work;
     std::vector<std::pair<std::uint64_t, Index>> both(n);
-    for (Index i = 0; i < n; ++i) both[i] = {key[i], order[i]};
+    for (Index i = 0; i < n; ++i) {
+      if (used_bits < 64 && key[i] >> used_bits != 0) throw std::logic_error("a key has more bits than are sorted");
+      both[i] = {key[i], order[i]};
+    }
     std::stable_sort(both.begin(), both.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (Index i = 0; i < n; ++i) key[i] = both[i].first, order[i] = both[i].second;
   }
@@ -167,6 +275,7 @@ struct GuardedRuntime {
   struct Block {
     void* begin;
     std::size_t bytes;
+    std::size_t asked = 0;
   };
   static std::map<void*, Block>& blocks() {
     static auto* all = new std::map<void*, Block>;

@@ -102,4 +102,11 @@ struct ColumnLattice {
   }
 };
 
+/// Number of nodes of a scene's columns.
+template <int Dim>
+double nodes_of_columns(const Scene<Dim>& scene) {
+  const ColumnLattice<Dim> columns(scene);
+  return double(columns.columns()) * columns.levels();
+}
+
 }  // namespace thalweg

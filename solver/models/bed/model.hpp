@@ -34,6 +34,11 @@ struct BedModel {
   static constexpr bool is_on(const Scene& scene) {
     return scene.has_sediment;
   }
+  /// Memory of the columns' nodes, whatever the number of particles [bytes].
+  template <class Scene>
+  static double lattice_bytes(const Scene& scene, double /*particles*/) {
+    return double(sizeof(std::int64_t) + sizeof(float) + sizeof(std::uint8_t)) * nodes_of_columns(scene);
+  }
   /// Laplace's equation is iterated until it has settled, which the host decides.
   template <class Scene>
   static bool varies(const Scene& scene) {

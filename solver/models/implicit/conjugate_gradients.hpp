@@ -154,20 +154,38 @@ struct ViscousUpdatePass {
   }
 };
 
+/// Resizes a buffer whose contents nobody needs.
+template <class Buffer>
+void resize_anew(Buffer& buffer, std::size_t n) {
+  if constexpr (requires { buffer.resize_anew(n); }) {
+    buffer.resize_anew(n);
+  } else {
+    buffer.resize(n);
+  }
+}
+
+/// True if the pair coefficients are stored on a device with a coupling.
+template <class Coupling, class Device>
+constexpr bool stores_coefficients(const Device& on) {
+  return Coupling::needs_stored || on.stores_coefficients();
+}
+/// True if a device can compute them again; a host never does.
+template <class Device, class Coupling>
+inline constexpr bool may_compute_again = !Device::is_host && !Coupling::needs_stored;
+
 /// Begins the solve for the velocities of the fluid near sediment at the end of the step of state->step.dt. The
 /// residual it will stop at is scene.viscous_tolerance of the momentum that gravity and the present accelerations give
 /// in one step (without gravity: of the first residual).
-template <int Dim, class Device, class Coupling>
-void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
-                         StepState* state, const Coupling& coupling) {
+template <bool stored, int Dim, class Device, class Coupling>
+void begin_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                            StepState* state, const Coupling& coupling) {
   using Row = typename ViscousSystem<Device>::Row;
   using Kept = typename Device::PairCoefficient;
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
   if (range.count == 0) return;
-  constexpr bool stored = Device::stores_coefficients || Coupling::needs_stored;
   if constexpr (stored) {
-    system.coefficient.resize(p.list_entries.size() * cluster_size);
+    resize_anew(system.coefficient, p.list_entries.size() * cluster_size);
     system.vectors.resize(std::size_t{p.count} + 1);
   }
   system.row.resize(p.count);
@@ -203,16 +221,26 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
                   }));
 }
 
-/// At most so many iterations of the solve begun; on the host it stops when the solve is over.
 template <int Dim, class Device, class Coupling>
-void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
-                           StepState* state, int iterations, const Coupling& coupling) {
+void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                         StepState* state, const Coupling& coupling) {
+  if constexpr (may_compute_again<Device, Coupling>) {
+    if (!stores_coefficients<Coupling>(on)) {
+      return begin_viscous_solve_as<false>(on, p, scene, system, state, coupling);
+    }
+  }
+  begin_viscous_solve_as<true>(on, p, scene, system, state, coupling);
+}
+
+/// At most so many iterations of the solve begun; on the host it stops when the solve is over.
+template <bool stored, int Dim, class Device, class Coupling>
+void iterate_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                              StepState* state, int iterations, const Coupling& coupling) {
   using Row = typename ViscousSystem<Device>::Row;
   using Kept = typename Device::PairCoefficient;
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
   if (range.count == 0) return;
-  constexpr bool stored = Device::stores_coefficients || Coupling::needs_stored;
   Record* records = p.record.data();
   Row* rows = system.row.data();
   const double tolerance = scene.viscous_tolerance;
@@ -244,6 +272,16 @@ void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& s
                         });
   }
   on.skip_unless(outer);
+}
+template <int Dim, class Device, class Coupling>
+void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
+                           StepState* state, int iterations, const Coupling& coupling) {
+  if constexpr (may_compute_again<Device, Coupling>) {
+    if (!stores_coefficients<Coupling>(on)) {
+      return iterate_viscous_solve_as<false>(on, p, scene, system, state, iterations, coupling);
+    }
+  }
+  iterate_viscous_solve_as<true>(on, p, scene, system, state, iterations, coupling);
 }
 
 /// Replaces the velocities by the solution, or takes the guess back where there is none; then, and where the iteration

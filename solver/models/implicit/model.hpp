@@ -43,6 +43,13 @@ struct ViscosityModel {
     return scene.has_sediment;
   }
 
+  /// Memory of the solve's rows [bytes].
+  template <class Scene>
+  static double lattice_bytes(const Scene& scene, double particles) {
+    const bool solves = scene.viscosity == ViscosityTreatment::implicit;
+    return solves ? particles * sizeof(ViscousRow) : 0;
+  }
+
   template <class Scene>
   HOST_DEVICE static bool is_explicit(const Scene& scene) {
     return scene.viscosity == ViscosityTreatment::explicit_steps;
@@ -84,6 +91,10 @@ struct ViscosityModel {
   template <class C>
   static int iterations_ahead(C& step) {
     if constexpr (C::OnDevice::is_host) return step.scene.viscous_iterations;
+    return iterations_handed_over(step);
+  }
+  template <class C>
+  static int iterations_handed_over(C& step) {
     return std::min(step.work.viscous_iterations / 4 * 4 + 4, 1000);
   }
   template <class C>

@@ -16,19 +16,22 @@ inline constexpr Field viscous_vector{"ViscousVector", quad_work};
 inline constexpr Field viscous_vectors{"ViscousVectors"};
 }  // namespace field
 
+/// A particle's row of the system.
+struct ViscousRow {
+  float residual[3];   // r [kg m/s]
+  float diagonal;      // [kg]
+  float product[3];    // A u, u = r/diagonal (IterationVector) [kg m/s]
+  float direction[3];  // p [m/s]
+  float along[3];      // A p [kg m/s]
+  float increment[3];  // of the velocity [m/s]
+};
+
 /// Arrays of the solve, kept between steps.
 template <class Device>
 struct ViscousSystem {
   template <class T>
   using Buffer = typename Device::template Buffer<T>;
-  struct Row {
-    float residual[3];   // r [kg m/s]
-    float diagonal;      // [kg]
-    float product[3];    // A u, u = r/diagonal (IterationVector) [kg m/s]
-    float direction[3];  // p [m/s]
-    float along[3];      // A p [kg m/s]
-    float increment[3];  // of the velocity [m/s]
-  };
+  using Row = ViscousRow;
   Buffer<typename Device::PairCoefficient> coefficient;  // k_ab [kg/s], one a pair, in the order of the lists
   Buffer<Vectors> vectors;                               // u of all particles, if the coefficients are kept
   Buffer<Row> row;

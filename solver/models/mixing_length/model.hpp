@@ -37,6 +37,11 @@ struct MixingLengthModel {
   static constexpr bool is_on(const Scene& scene) {
     return scene.mixing_length;
   }
+  /// Memory of the surfaces' nodes, whatever the number of particles [bytes].
+  template <int Dim>
+  static double lattice_bytes(const Scene<Dim>& scene, double /*particles*/) {
+    return double(sizeof(SurfaceNode<Dim>) + sizeof(Index)) * nodes_of_columns(scene);
+  }
   template <class C>
   static bool lists_due(C& step) {
     return step.work.new_lists;

@@ -16,6 +16,10 @@
 //
 // Stopping and waking are continuous: a particle stops only when it is slow, and wakes at zero velocity, with the
 // pressure that its neighbours have felt from it.
+//
+// Both happen where the neighbour lists are made anew, and most_steps after the last change at the latest. In between no
+// particle has moved by more than half the skin. A step's launches on a GPU are then often those of the step before; they
+// differed in three steps of four when each step woke and stopped for itself (bench/notes/cuda-kernels.md).
 namespace thalweg {
 
 namespace rest {
@@ -33,6 +37,10 @@ HOST_DEVICE inline bool in_reach(const Scene<Dim>& scene, const Record& a, const
   return dot(r, r) < scene.support() * scene.support();
 }
 
+/// Steps after which particles that are due to stop or to wake no longer wait for new lists. Waking spreads by a support
+/// each time, 2h in 16 steps of about 0.3 h/c: at four tenths of the speed of sound.
+inline constexpr std::int64_t most_steps = 16;
+
 /// Wakes a particle at rest.
 HOST_DEVICE inline void wake(Record& r, Sediment& s) {
   r.kind = kind::deposit;
@@ -40,12 +48,18 @@ HOST_DEVICE inline void wake(Record& r, Sediment& s) {
   for (float& a : s.viscous_acceleration) a = 0;
 }
 
-/// Particle pass: the time a particle has been calm, and waking; returns how many it woke.
+/// Notes that a particle at rest is due to wake. One that rests has been calm for a while.
+HOST_DEVICE inline void ask_to_wake(Sediment& s) { s.time_below_yield = 0; }
+HOST_DEVICE inline bool is_due_to_wake(const Record& r, const Sediment& s) {
+  return is_resting(r) && s.time_below_yield == 0;
+}
+
+/// Particle pass: the time a particle has been calm, and who is due to wake; returns how many wait to stop or to wake.
 struct CalmPass {
   using reads = Reads<field::flow, field::matter, field::sediment>;
-  using writes = Writes<field::matter, field::sediment>;
+  using writes = Writes<field::sediment>;
 
-  Record* records;
+  const Record* records;
   Sediment* sediment;
   RestCriteria criteria;
   float repose_tangent;
@@ -53,21 +67,20 @@ struct CalmPass {
   const StepState* state;
 
   HOST_DEVICE Index operator()(Index i) const {
-    Record& r = records[i];
+    const Record& r = records[i];
     if (!is_sediment(r)) return 0;
     Sediment& s = sediment[i];
     const bool steep = s.bed_slope > repose_tangent;
     if (is_resting(r)) {
-      if (!steep && s.strain_rate < criteria.wake_shear_rate) return 0;
-      wake(r, s);
-      return 1;
+      if (steep || s.strain_rate >= criteria.wake_shear_rate) ask_to_wake(s);
+      return is_due_to_wake(r, s) ? 1 : 0;
     }
     float u2 = 0;
     for (const float u : r.velocity) u2 += u * u;
     const bool calm = !steep && s.strain_rate < criteria.shear_rate && u2 < criteria.speed * criteria.speed &&
                       (r.kind == kind::deposit || (bed_load_drifts && r.kind == kind::bed_load));
     s.time_below_yield = calm ? s.time_below_yield + static_cast<float>(state->step.dt) : 0;
-    return 0;
+    return r.kind == kind::deposit && s.time_below_yield >= criteria.time ? 1 : 0;
   }
 };
 
@@ -185,17 +198,31 @@ void wake_beside_moving_walls(Device& on, Particles<Device>& p, const Scene<Dim>
   }
 }
 
-/// Wakes and stops sediment by what the last step found, and counts both; where it did, list_active_clusters has to
-/// follow.
+/// Finds after a step who is due to wake and for how long the others have been calm.
 template <int Dim, class Device>
-void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
+void find_calm(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
+  on.reduce_then(
+      p.fluid_count, Index{0},
+      rest::CalmPass{p.record.data(), p.sediment.data(), scene.rest, scene.sediment.yield_coefficient,
+                     scene.bed_load.on, state},
+      [] HOST_DEVICE(Index a, Index b) { return a + b; }, [=] HOST_DEVICE(Index waiting) { state->waiting = waiting; });
+}
+
+/// Wakes who is due to wake and stops who may stop, and counts both; where there are any, list_active_clusters has to
+/// follow. The host waits.
+template <int Dim, class Device>
+Index wake_and_stop(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();
   const auto sum = [] HOST_DEVICE(Index a, Index b) { return a + b; };
-  on.reduce_then(
+  const Index woken = on.reduce(
       p.fluid_count, Index{0},
-      rest::CalmPass{records, sediment, scene.rest, scene.sediment.yield_coefficient, scene.bed_load.on, state}, sum,
-      [=] HOST_DEVICE(Index woken) { state->woken += woken; });
+      declare<Reads<field::matter, field::sediment>, Writes<field::matter, field::sediment>>([=] HOST_DEVICE(Index i) {
+        if (!rest::is_due_to_wake(records[i], sediment[i])) return Index{0};
+        rest::wake(records[i], sediment[i]);
+        return Index{1};
+      }),
+      sum);
 
   p.stopping.resize(p.fluid_count);
   std::uint8_t* stopping = p.stopping.data();
@@ -207,7 +234,7 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Step
   Rates* rates = p.rates.data();
   // A particle that stops has the pressure and volume of its last density: the equation of state leaves it alone.
   const EquationOfStatePass<Dim> take_state{records, p.mass.data(), rates, p.dissipations(), scene};
-  on.reduce_then(
+  const Index stopped = on.reduce(
       p.fluid_count, Index{0},
       declare<Reads<field::place, field::matter, field::mass, field::rates, field::dissipation, field::stopping>,
               Writes<field::place, field::flow, field::matter, field::viscous_vector, field::rates, field::sediment>>(
@@ -222,7 +249,8 @@ void update_rest(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Step
             sediment[i].strain_rate = 0;
             return Index{1};
           }),
-      sum, [=] HOST_DEVICE(Index stopped) { state->stopped += stopped; });
+      sum);
+  return woken + stopped;
 }
 
 }  // namespace thalweg

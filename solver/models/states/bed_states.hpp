@@ -38,8 +38,8 @@ HOST_DEVICE Vec<Dim, float> speed_along_bed(const Record& r, const BedSurface& s
 
 namespace bed_states {
 
-/// Particle pass: shear stress, its critical value, and the state they lead to. True where a resting particle was
-/// moved.
+/// Particle pass: shear stress, its critical value, and the state they lead to. A particle at rest that the water would
+/// move is due to wake.
 template <int Dim>
 struct StatePass {
   using reads = Reads<field::flow, field::matter, field::sediment, field::bed>;
@@ -51,9 +51,9 @@ struct StatePass {
   Scene<Dim> scene;
   const StepState* state;
 
-  HOST_DEVICE bool operator()(Index i) const {
+  HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
-    if (!is_sediment(r)) return false;
+    if (!is_sediment(r)) return;
     BedSurface& s = bed[i];
     const ErosionScene<Dim>& law = scene.erosion;
     const float last_critical = s.critical_stress;
@@ -63,7 +63,7 @@ struct StatePass {
     // A grain that moves has to be buried deeper before it counts as part of the bed again.
     const float most_fill = law.surface_fill + (moving ? law.fill_hysteresis : 0);
     const bool surface = at_water && s.fill < most_fill;
-    if (!surface && !moving) return false;
+    if (!surface && !moving) return;
 
     const Vec<Dim, float> u = pick<Dim>(r.velocity);
     const Vec<Dim, float> over_bed = u - pick<Dim>(s.bed_velocity);
@@ -78,18 +78,17 @@ struct StatePass {
     if (law.as_printed && !surface) s.critical_stress = last_critical;
     if (r.kind == kind::bed_load) {
       r.kind = from_bed_load(s, surface, over_bed, shields);
-      return false;
+      return;
     }
     if (r.kind == kind::suspended) {
       if (settles(s, at_water, u, over_bed)) r.kind = kind::bed_load, s.time_below_threshold = 0;
-      return false;
+      return;
     }
-    if (!(shields.stress > shields.critical_stress)) return false;
-    const bool rested = is_resting(r);
+    if (!(shields.stress > shields.critical_stress)) return;
+    sediment[i].time_below_yield = 0;  // one that rests wakes with the others that are due to (models/rest)
+    if (is_resting(r)) return;
     r.kind = kind::bed_load;
     s.time_below_threshold = 0;
-    sediment[i].time_below_yield = 0;
-    return rested;
   }
 
   struct Shields {
@@ -187,7 +186,7 @@ void clear_bed_surface(Device& on, Particles<Device>& p) {
               }));
 }
 
-/// Finds the bed's surface and lets sediment change its state; counts what it wakes.
+/// Finds the bed's surface and lets sediment change its state.
 template <int Dim, class Device>
 void update_bed_states(Device& on, Particles<Device>& p, const Scene<Dim>& scene, StepState* state) {
   const ClusterList list = p.list();
@@ -197,12 +196,7 @@ void update_bed_states(Device& on, Particles<Device>& p, const Scene<Dim>& scene
   if (scene.erosion.bed_shear == BedShear::nearest) {
     for_each_member(on, list, at_water, NearestWaterPass<Dim>{p.record.data(), bed, list, scene});
   }
-  const bed_states::StatePass<Dim> pass{p.record.data(), p.sediment.data(), bed, scene, state};
-  on.reduce_then(
-      p.fluid_count, Index{0},
-      declare<typename bed_states::StatePass<Dim>::reads, typename bed_states::StatePass<Dim>::writes>(
-          [=] HOST_DEVICE(Index i) { return pass(i) ? Index{1} : Index{0}; }),
-      [] HOST_DEVICE(Index a, Index b) { return a + b; }, [=] HOST_DEVICE(Index woken) { state->woken += woken; });
+  on.for_each(p.fluid_count, bed_states::StatePass<Dim>{p.record.data(), p.sediment.data(), bed, scene, state});
 }
 
 }  // namespace thalweg

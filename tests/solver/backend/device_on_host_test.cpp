@@ -66,6 +66,30 @@ TEST(DeviceResident, StepsAreTheSameWhenTheyAreRepeatedAsOne) {
   EXPECT_GT(replays, 10);
 }
 
+TEST(DeviceResident, StoresPairCoefficientsOrComputesThemAgain) {
+  // Stored ones are rounded to half a float, which the solve's quadratic form feels by 2^-9 at most.
+  for (const DeviceScene& s : device_scenes()) {
+    SCOPED_TRACE(s.name);
+    const auto computed = simulation_on<Guarded>(s, s.particles);
+    const auto stored = std::visit(
+        [&]<int Dim>(const Scene<Dim>& scene) -> std::unique_ptr<Simulation> {
+          return std::make_unique<SimulationOn<Dim, Guarded>>(Guarded(true), "under test", scene, s.particles, false,
+                                                              s.motions, s.openings(), s.surface_bed(s.particles));
+        },
+        s.scene);
+    for (int n = 0; n < s.steps; ++n) {
+      ASSERT_FALSE(computed->advance(1e-4).diverged);
+      ASSERT_FALSE(stored->advance(1e-4).diverged);
+    }
+    const Difference d = difference(s.particles, computed->snapshot(), stored->snapshot());
+    EXPECT_LT(d.apart, 1e-3 * d.moved);
+    const double more = stored->facts().bytes_per_particle - computed->facts().bytes_per_particle;
+    if (more == 0) continue;  // no sediment, or a coupling that stores them anyway
+    const double entries = stored->facts().list_entries_per_particle;
+    EXPECT_NEAR(more, entries * double(cluster_size * sizeof(ShortFloat)) + double(sizeof(Vectors)), 1);
+  }
+}
+
 TEST(DeviceResident, SnapshotsAreOfTheirTimeWhileStepsGoOn) {
   const DeviceScene s = device_scenes().back();
   const auto simulation = simulation_on<Guarded>(s, s.particles);

@@ -15,6 +15,9 @@ namespace thalweg::test {
 
 template <class Device>
 struct Maker {
+  /// Particles that may be in another state than on the host. None, where quotients are rounded as they are there.
+  static constexpr int other_states = 0;
+
   template <int Dim>
   static std::unique_ptr<Simulation> make(const Scene<Dim>& scene, const ParticleSet& from, const DeviceScene& of,
                                           bool profile = false) {
@@ -50,11 +53,11 @@ TYPED_TEST_P(StepsOnDevice, StepsAsTheOpenMpBackendDoes) {
     const Difference d = difference(s.particles, reference->snapshot(), tested->snapshot());
     EXPECT_GT(d.moved, 1e-6);
     EXPECT_LT(d.apart, 1e-3 * d.moved);
-    EXPECT_EQ(d.other_states, 0);
+    EXPECT_LE(d.other_states, Maker<TypeParam>::other_states);
     const Totals a = reference->totals();
     const Totals b = tested->totals();
     EXPECT_EQ(a.sediment, b.sediment);
-    EXPECT_EQ(a.resting, b.resting);
+    EXPECT_LE(std::abs(a.resting - b.resting), Maker<TypeParam>::other_states);
     EXPECT_NEAR(a.kinetic_energy, b.kinetic_energy, 1e-3 * a.kinetic_energy);
     EXPECT_NEAR(a.potential_energy, b.potential_energy, 1e-6 * std::abs(a.potential_energy));
     const SimulationFacts facts = tested->facts();

@@ -159,7 +159,8 @@ TYPED_TEST(MovingWalls, WakeTheSedimentInTheirReachAndNoOther) {
       seen.sediment[i].time_below_yield = 1;
     }
   });
-  update_rest(l.on, l.p, scene, step.state());
+  find_calm(l.on, l.p, scene, step.state());
+  wake_and_stop(l.on, l.p, scene);
   const test::Seen seen = test::look(l);
   for (Index i = 0; i < seen.fluid_count; ++i) {
     if (to_wall(seen, i) >= support) continue;

@@ -47,15 +47,17 @@ void calm(test::Seen& seen) {
   for (Index i = 0; i < seen.fluid_count; ++i) seen.sediment[i].time_below_yield = 1;
 }
 
-/// update_rest in so many steps of 1e-4 s, and the lists after it if they change, as the step does. Shows what came of
-/// it.
+/// The rest of the bed after so many steps of 1e-4 s in which particles may stop and wake, with the lists if they change.
+/// Shows what came of it.
 template <class On>
 test::Seen update_rest_and_lists(test::Loaded<2, On>& l, const Scene<2>& scene, int steps = 1) {
   for (int n = 0; n < steps; ++n) {
     test::TestStep step(l, 1e-4);
-    update_rest(l.on, l.p, scene, step.state());
-    const StepState state = step.read();
-    if (state.woken + state.stopped > 0) list_active_clusters(l.on, l.p);
+    find_calm(l.on, l.p, scene, step.state());
+    const bool waits = step.read().waiting > 0;
+    const Index changed = wake_and_stop(l.on, l.p, scene);
+    EXPECT_TRUE(waits || changed == 0) << "nobody waited";
+    if (changed > 0) list_active_clusters(l.on, l.p);
   }
   return test::look(l);
 }

@@ -1,0 +1,22 @@
+// A core module that stands for a GPU in what make_simulation asks before it makes anything. The environment says what is
+// wrong with it: FAKE_GPU_MEMORY (free bytes), FAKE_GPU_PROBLEM (why it cannot be used).
+#include <cstdlib>
+
+#include "common/error.hpp"
+#include "solver/simulation/input.hpp"
+
+#define THALWEG_EXPORT extern "C" __attribute__((visibility("default")))
+
+THALWEG_EXPORT thalweg::Simulation* thalweg_make_simulation(const thalweg::SimulationInput* /*input*/) {
+  throw thalweg::RunError("CUDA, while allocating memory: out of memory");
+}
+
+THALWEG_EXPORT const char* thalweg_device_problem() {
+  const char* problem = getenv("FAKE_GPU_PROBLEM");
+  return problem == nullptr ? "" : problem;
+}
+
+THALWEG_EXPORT double thalweg_device_memory() {
+  const char* bytes = getenv("FAKE_GPU_MEMORY");
+  return bytes == nullptr ? 1e12 : atof(bytes);
+}

@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "common/error.hpp"
+#include "solver/simulation/input.hpp"
+#include "tests/solver/lattice_scene.hpp"
+
+namespace thalweg {
+namespace {
+
+/// A scene of still water, and what is said while a simulation of it is made.
+class Fallback : public testing::Test {
+ protected:
+  Fallback() : scene_(test::make_scene_of(test::LatticeSetup<2>{})) {
+    particles_ = test::fill_lattice(scene_, test::all_water);
+    before_ = spdlog::default_logger();
+    spdlog::set_default_logger(
+        std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(said_)));
+    spdlog::set_pattern("%v");
+    unsetenv("FAKE_GPU_MEMORY");
+    unsetenv("FAKE_GPU_PROBLEM");
+  }
+  ~Fallback() override { spdlog::set_default_logger(before_); }
+
+  std::unique_ptr<Simulation> make(const std::string& backend) {
+    return make_simulation({.scene = scene_, .particles = &particles_, .threads = 1}, backend, "auto");
+  }
+
+  Scene<2> scene_;
+  ParticleSet particles_;
+  std::ostringstream said_;
+  std::shared_ptr<spdlog::logger> before_;
+};
+
+TEST_F(Fallback, TakesCpuCoresWhereTheGpuIsTooSmallAndSaysSoInALine) {
+  setenv("FAKE_GPU_MEMORY", "100000", 1);
+  const auto simulation = make("auto");
+  EXPECT_EQ(simulation->facts().device.substr(0, 6), "OpenMP");
+  const std::string said = said_.str();
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+  EXPECT_NE(said.find("100 kB free"), std::string::npos) << said;
+  EXPECT_NE(said.find("spacing of"), std::string::npos) << said;
+  EXPECT_THROW(make("cuda"), InputError);
+}
+
+TEST_F(Fallback, TakesCpuCoresWhereTheGpuFailsAtTheStart) {
+  EXPECT_EQ(make("auto")->facts().device.substr(0, 6), "OpenMP");
+  EXPECT_NE(said_.str().find("out of memory"), std::string::npos) << said_.str();
+  EXPECT_THROW(make("cuda"), RunError);
+}
+
+TEST_F(Fallback, TakesCpuCoresInSilenceWhereThereIsNoGpu) {
+  setenv("FAKE_GPU_PROBLEM", "no NVIDIA GPU is visible", 1);
+  EXPECT_EQ(make("auto")->facts().device.substr(0, 6), "OpenMP");
+  EXPECT_EQ(said_.str(), "");
+  EXPECT_THROW(make("cuda"), InputError);
+}
+
+}  // namespace
+}  // namespace thalweg
