@@ -8,9 +8,9 @@
 #include <cctype>
 #include <ostream>
 
+#include "case/field_words.hpp"
 #include "case/nearest.hpp"
 #include "case/reader/case_file.hpp"
-#include "case/reader/field_words.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
 
@@ -157,7 +157,7 @@ void explain_field_word(std::ostream& to, const FieldWord& entry, const Declarat
   fmt::print(to, "{}\n\n", entry.answer);
   for (const std::string& key : entry.keys) {
     const TableDeclaration* table = find_table(tables, key);
-    if (table == nullptr) {
+    if (table == nullptr || table->name != key) {  // a table by name is found for "materials.<sediment>.porosity" too
       explain_named(to, key, tables);
       continue;
     }

@@ -63,6 +63,13 @@ TEST(Mistakes, OfOverridesAreToldTogether) {
 
 TEST(Mistakes, AreNoneInAGoodCase) { EXPECT_THAT(mistakes_of(source / "tests/case/good_case.toml"), IsEmpty()); }
 
+TEST(Mistakes, NameTheKeyThatAWordOfTheFieldStandsFor) {
+  EXPECT_THAT(mistakes_of(changed_case("d50", {{"grain_diameter = ", "d50 = "}})),
+              ElementsAre(HasSubstr("unknown key materials.pvc.d50; did you mean materials.pvc.grain_diameter?")));
+  const auto other = mistakes_of(changed_case("colour", {{"[materials.pvc]", "[materials.pvc]\nhue = 1"}}));
+  EXPECT_THAT(other, ElementsAre(HasSubstr("`thalweg explain materials.pvc` lists the keys")));
+}
+
 // A bulk or grain density may be meant, and another table's key of that name is not.
 TEST(Mistakes, NameTheKeysOfTheirOwnTable) {
   EXPECT_THAT(mistakes_of(changed_case("density", {{"grain_density = ", "density = "}})),
