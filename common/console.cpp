@@ -114,14 +114,16 @@ bool answers_in_json() { return console().json; }
 void set_result(std::string json) { console().result = std::move(json); }
 
 std::vector<std::string> errors_in_log(const RunFolder& run) {
-  constexpr std::string_view mark = " error: ";
   std::ifstream log(run.log());
   std::vector<std::string> errors;
   for (std::string line; std::getline(log, line);) {
-    constexpr std::size_t stamp = 60;  // time and program stand before it, and other text has no place there
-    if (line.find(" solver start: ") < stamp) errors.clear();
-    const auto at = line.find(mark);
-    if (at < stamp) errors.push_back(line.substr(at + mark.size()));
+    // "DATE TIME PROGRAM KIND: TEXT"
+    constexpr std::size_t stamp = 24;
+    const auto end = line.find(": ", stamp);
+    if (end == std::string::npos) continue;
+    const std::string_view who = std::string_view(line).substr(stamp, end - stamp);
+    if (who == "solver start") errors.clear();
+    if (who.ends_with(" error")) errors.push_back(line.substr(end + 2));
   }
   return errors;
 }

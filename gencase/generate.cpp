@@ -219,7 +219,7 @@ void report_closure(const Case& scene, const std::vector<PlacedShape>& shapes, c
   const std::string picture = notes.draw("leak", {"Leak", {leak->path}, {1}});
   notes.warn(
       fmt::format("{}: fluid at rest can leave {} at x = {}, y = {}, z = {}, {} spacings away; close the wall there, "
-                  "or open that face on purpose{}",
+                  "or open that face on purpose: an [[outlet]] takes what leaves{}",
                   scene.file.string(), leak->out_of_rooms ? "the containers" : "the domain",
                   placed_text(end.x(), scene.numerics.spacing), placed_text(end.y(), scene.numerics.spacing),
                   placed_text(end.z(), scene.numerics.spacing), leak->path.size() - 1,

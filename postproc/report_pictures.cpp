@@ -45,7 +45,11 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
   if (has(SourceKind::other)) kinds.emplace_back("a dash-dotted one a further source");
   if (has(SourceKind::measured)) kinds.emplace_back("open markers are measured");
   const PictureFrame frame = frame_around(input.sets, input.resolved.compare.from, input.resolved.compare.to);
-  text += fmt::format("{}. Heights are exaggerated {:.1f} times.</p>\n", fmt::join(kinds, ", "), frame.exaggeration());
+  constexpr double visible = 1.05;  // below it a picture has its true shape
+  const double times = frame.exaggeration();
+  text += fmt::format("{}. {}</p>\n", fmt::join(kinds, ", "),
+                      times < visible ? "Heights and lengths have one scale."
+                                      : fmt::format("Heights are exaggerated {:.1f} times.", times));
   for (const TimedProfile& timed : input.extraction.written) {
     const std::string name = picture_name(timed.time);
     const std::string id = id_of_profile(timed.time);

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "case/field_words.hpp"
 #include "case/reader/case_file.hpp"
-#include "case/reader/field_words.hpp"
 #include "case/reader/reference.hpp"
 #include "common/error.hpp"
 

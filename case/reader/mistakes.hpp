@@ -27,7 +27,7 @@ class Mistakes {
   /// Notes that a table has an unknown key.
   void note_unknown_key(const std::string& table) { with_unknown_keys_.insert(table); }
   [[nodiscard]] bool any() const { return !messages_.empty(); }
-  /// Throws all of them, each once, as one InputError; nothing happens without any.
+  /// Throws all of them, each once and in the order of the file, as one InputError; nothing happens without any.
   void throw_any() const;
 
  private:

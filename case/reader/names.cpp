@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "case/field_words.hpp"
 #include "case/nearest.hpp"
 #include "case/reader/toml.hpp"
 
@@ -107,7 +108,22 @@ class NameCheck {
       return fmt::format("did you mean {0}.{1}?", path, fmt::join(of_this_table, fmt::format(" or {}.", path)));
     if (const auto elsewhere = key_elsewhere(key); !elsewhere.empty()) return elsewhere;
     if (const auto near = nearest(key, known)) return fmt::format("did you mean {}.{}?", path, *near);
+    if (const std::string meant = by_field_word(key, known); !meant.empty())
+      return fmt::format("did you mean {}.{}?", path, meant);
+    constexpr std::size_t most = 20;  // more do not fit into a line
+    if (known.size() > most) return fmt::format("`thalweg explain {}` lists the keys", path);
     return fmt::format("the keys of {} are {}", path, fmt::join(known, ", "));
+  }
+
+  // The key that a word of the field stands for, such as grain_diameter for d50; empty if this table has none.
+  static std::string by_field_word(const std::string& word, const std::vector<std::string>& known) {
+    const FieldWord* entry = find_field_word(word);
+    if (entry == nullptr) return {};
+    for (const std::string& key : entry->keys) {
+      const std::string name = key.substr(key.rfind('.') + 1);
+      if (std::find(known.begin(), known.end(), name) != known.end()) return name;
+    }
+    return {};
   }
 
   // The keys of which a word is a part: "density" of "grain_density".

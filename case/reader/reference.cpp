@@ -8,9 +8,9 @@
 #include <cctype>
 #include <ostream>
 
+#include "case/field_words.hpp"
 #include "case/nearest.hpp"
 #include "case/reader/case_file.hpp"
-#include "case/reader/field_words.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
 
@@ -132,12 +132,19 @@ std::string default_text(const KeyDeclaration& key, TableForm form) {
 
 namespace {
 
+bool declares(const TableDeclaration* table, const std::string& key) {
+  return table != nullptr && std::any_of(table->keys.begin(), table->keys.end(),
+                                         [&](const KeyDeclaration& declared) { return declared.name == key; });
+}
+
 /// Prints the tables and keys of this name; false if there are none. An empty name means all.
 bool explain_named(std::ostream& to, const std::string& key, const Declarations& tables) {
   bool found = false;
-  const TableDeclaration* whole_table = find_table(tables, key);
   const auto dot = key.rfind('.');
   const TableDeclaration* table_of_key = dot == std::string::npos ? nullptr : find_table(tables, key.substr(0, dot));
+  const TableDeclaration* whole_table = find_table(tables, key);
+  if (table_of_key == whole_table && declares(table_of_key, key.substr(dot + 1)))
+    whole_table = nullptr;  // materials.NAME.KEY
   for (const TableDeclaration& table : tables) {
     if (key.empty() || whole_table == &table) {
       explain_table(to, table);
@@ -157,7 +164,7 @@ void explain_field_word(std::ostream& to, const FieldWord& entry, const Declarat
   fmt::print(to, "{}\n\n", entry.answer);
   for (const std::string& key : entry.keys) {
     const TableDeclaration* table = find_table(tables, key);
-    if (table == nullptr) {
+    if (table == nullptr || table->name != key) {  // a table by name is found for "materials.<sediment>.porosity" too
       explain_named(to, key, tables);
       continue;
     }

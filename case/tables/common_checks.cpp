@@ -55,7 +55,7 @@ void check_within_run(const CheckContext& at, std::string_view key, const std::v
   for (const double time : times) {
     if (time <= end) continue;
     at.reject(at.key(key), fmt::format("{} has {} s, after output.end = {} s", at.key(key), time, end),
-              "give times within the run or extend it");
+              fmt::format("give times within the run, extend it, or leave them out with --set {}=[]", at.key(key)));
   }
 }
 

@@ -243,7 +243,7 @@ class Run {
       throw RunError(
           fmt::format("{} of {} fluid particles have left the domain by t = {:.4g} s, more than "
                       "numerics.excluded_limit ({:g}) allows; "
-                      "see {} for where, then widen the domain or close the wall there",
+                      "see {} for where, then widen the domain, close the wall, or let it leave by an [[outlet]] there",
                       counts_.excluded, initial_fluid_, clock_.time, case_.numerics.excluded_limit,
                       output_.folder().excluded().string()));
     }

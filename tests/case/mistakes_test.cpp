@@ -41,11 +41,13 @@ std::vector<std::string> mistakes_of(const fs::path& file, const std::vector<std
 }
 
 TEST(Mistakes, AreToldTogetherInTheOrderOfTheFile) {
-  const fs::path file = changed_case("together", {{"grain_diameter = ", "grain_diametre = "},
+  const fs::path file = changed_case("together", {{"to = [\"0.9 m\", \"0.3 m\"]", "to = [\"0.9 m\", \"0.3 kg\"]"},
+                                                  {"grain_diameter = ", "grain_diametre = "},
                                                   {"spacing = \"", "spacing = \"5 kg\" #"},
                                                   {"end = \"", "end = 2 #"}});
-  EXPECT_THAT(mistakes_of(file), ElementsAre(HasSubstr("did you mean materials.pvc.grain_diameter?"),
-                                             HasSubstr("numerics.spacing"), HasSubstr("output.end = 2 has no unit")));
+  EXPECT_THAT(mistakes_of(file),
+              ElementsAre(HasSubstr("shape.walls.to"), HasSubstr("did you mean materials.pvc.grain_diameter?"),
+                          HasSubstr("numerics.spacing"), HasSubstr("output.end = 2 has no unit")));
 }
 
 // The unknown key is the missing one, misspelt.
@@ -60,6 +62,13 @@ TEST(Mistakes, OfOverridesAreToldTogether) {
 }
 
 TEST(Mistakes, AreNoneInAGoodCase) { EXPECT_THAT(mistakes_of(source / "tests/case/good_case.toml"), IsEmpty()); }
+
+TEST(Mistakes, NameTheKeyThatAWordOfTheFieldStandsFor) {
+  EXPECT_THAT(mistakes_of(changed_case("d50", {{"grain_diameter = ", "d50 = "}})),
+              ElementsAre(HasSubstr("unknown key materials.pvc.d50; did you mean materials.pvc.grain_diameter?")));
+  const auto other = mistakes_of(changed_case("colour", {{"[materials.pvc]", "[materials.pvc]\nhue = 1"}}));
+  EXPECT_THAT(other, ElementsAre(HasSubstr("`thalweg explain materials.pvc` lists the keys")));
+}
 
 // A bulk or grain density may be meant, and another table's key of that name is not.
 TEST(Mistakes, NameTheKeysOfTheirOwnTable) {

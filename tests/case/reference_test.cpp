@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "case/field_words.hpp"
 #include "case/physics_checks.hpp"
-#include "case/reader/field_words.hpp"
 #include "tests/case/case_files.hpp"
 
 namespace thalweg {
@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string explained(const std::string& key) {
   std::ostringstream text;
@@ -27,7 +28,8 @@ TEST(Explain, FindsKeysHoweverTheyAreNamed) {
   EXPECT_EQ(explained("spacing"), expected);
   EXPECT_THAT(explained("numerics"), HasSubstr(expected));
   EXPECT_THAT(explained(""), HasSubstr(expected));
-  EXPECT_THAT(explained("materials.pvc.porosity"), HasSubstr("materials.<sediment>.porosity\n"));
+  EXPECT_THAT(explained("materials.pvc.porosity"),
+              AllOf(HasSubstr("materials.<sediment>.porosity\n"), Not(HasSubstr("cohesion"))));
   EXPECT_THAT(explained("shape.kind"), HasSubstr("\"difference\": the first shape of `of` without the others"));
   try {
     explained("spacng");
@@ -40,6 +42,7 @@ TEST(Explain, FindsKeysHoweverTheyAreNamed) {
 // The words that users type first, and where each leads.
 TEST(Explain, AnswersTheWordsOfTheField) {
   EXPECT_THAT(explained("inflow"), HasSubstr("[[inlet]]"));
+  EXPECT_THAT(explained("d50"), AllOf(HasSubstr("grain_diameter\n"), Not(HasSubstr("cohesion"))));
   EXPECT_THAT(explained("outflow"), HasSubstr("[[outlet]]"));
   EXPECT_THAT(explained("scour depth"), HasSubstr("thalweg formulas CASE"));
   EXPECT_THAT(explained("Scour_Depth"), HasSubstr("model.bed_load\n"));

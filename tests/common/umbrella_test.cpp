@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -85,6 +86,34 @@ TEST_F(Umbrella, RunsTheStagesInOrder) {
             "postproc my run --report\n");
   EXPECT_THAT(output(), HasSubstr("report: my run/report/index.html\n"));
   EXPECT_EQ(errors(), "");
+}
+
+TEST_F(Umbrella, PassesOnHowMuchToSay) {
+  EXPECT_EQ(thalweg("run case.toml --no-foam --quiet"), 0);
+  EXPECT_EQ(
+      calls(),
+      "gencase case.toml --out out/flume --quiet\nsolver out/flume --quiet\npostproc out/flume --report --quiet\n");
+  EXPECT_EQ(output(), "");
+}
+
+// The stages' own lines must not get between the brackets.
+TEST_F(Umbrella, TellsTheRunInJson) {
+  install("solver", 1,
+          "echo said; echo '2026-11-27 20:00:00.000 solver error: it diverged; use less' >> \"$1/log.txt\"");
+  EXPECT_EQ(thalweg("run case.toml --no-foam --json"), 1);
+  const auto told = nlohmann::json::parse(output());
+  EXPECT_EQ(told["status"], 1);
+  EXPECT_EQ(told["stages"].size(), 3U) << "a run that failed has a report too";
+  EXPECT_EQ(told["stages"][1]["stage"], "solver");
+  EXPECT_EQ(told["errors"][0]["cure"], "use less");
+  EXPECT_THAT(errors(), HasSubstr("said\n"));
+}
+
+TEST_F(Umbrella, TellsWrongArgumentsInJson) {
+  EXPECT_EQ(thalweg("run nowhere --json"), 2);
+  const auto told = nlohmann::json::parse(output());
+  EXPECT_EQ(told["status"], 2);
+  EXPECT_THAT(told["errors"][0]["message"].get<std::string>(), HasSubstr("there is no such file or folder"));
 }
 
 TEST_F(Umbrella, NamesTheRunAfterTheCase) {

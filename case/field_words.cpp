@@ -1,4 +1,4 @@
-#include "case/reader/field_words.hpp"
+#include "case/field_words.hpp"
 
 #include <algorithm>
 #include <cctype>
