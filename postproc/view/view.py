@@ -1,6 +1,7 @@
 """Opens this run in ParaView 5.11: paraview --script=view.py, or in a running ParaView: Tools, Python Shell, Run Script.
 
-Pictures without a window: pvbatch view.py --pictures FOLDER [--times 0.25 0.5 …]   (without --times: all of the run's times)
+Pictures without a window: pvbatch view.py --pictures FOLDER [--times 0.25 0.5 …] [--width 1600] [--camera above]
+(without --times: all of the run's times). Cameras of a 3-D run: oblique (default), above, side, upstream, downstream.
 
 Water is coloured by its speed, sediment by its state or, without states, by its speed; walls are grey. Where the run has
 surfaces, the bed is coloured by how far it has sunk or risen, and the water's surface lies over it like glass.
@@ -15,15 +16,34 @@ from paraview.simple import (AnnotateTimeFilter, Clip, ColorBy, CreateView, GetC
                              OpenDataFile, Render, SaveScreenshot, SetActiveView, Show, Text, Threshold,
                              _DisableFirstRenderCameraReset)
 
-FOLDER = pathlib.Path(globals().get("__file__", "view.py")).resolve().parent
+
+
+def own_folder():
+    """The folder of this script. ParaView's window runs it without telling its name, which then stands in the command line."""
+    name = globals().get("__file__")
+    if name is None:
+        try:
+            words = pathlib.Path("/proc/self/cmdline").read_text(encoding="utf-8").split("\0")
+        except OSError:
+            words = []
+        name = next((word.partition("=")[2] for word in words if word.startswith("--script=")), "view.py")
+    return pathlib.Path(name).resolve().parent
+
+
+FOLDER = own_folder()
 WATER, SEDIMENT = 2, 3
 STATES = ["0", "sediment", "1", "deposit", "2", "bed load", "3", "suspended"]
 STATE_COLOURS = [0.71, 0.58, 0.42, 0.71, 0.58, 0.42, 0.90, 0.62, 0.00, 0.84, 0.37, 0.00]
 BLUES = [0, 0.78, 0.86, 0.94, 0.3, 0.62, 0.79, 0.88, 0.65, 0.19, 0.51, 0.74, 1, 0.03, 0.19, 0.42]
+BLUE_TO_BROWN = [0, 0.78, 0.86, 0.94, 0.5, 0.80, 0.70, 0.55, 1, 0.50, 0.35, 0.15]
 BROWNS = [0, 0.40, 0.29, 0.17, 0.5, 0.80, 0.52, 0.20, 1, 1.0, 0.85, 0.45]
 # Share of the largest change: blue-green where the bed has sunk, brown where it has risen (ColorBrewer's BrBG).
 SINK_AND_RISE = [-1, 0.00, 0.35, 0.32, -0.5, 0.35, 0.71, 0.67, 0, 0.96, 0.96, 0.94, 0.5, 0.75, 0.51, 0.18, 1, 0.33, 0.19, 0.02]
 INK = [0.15, 0.15, 0.15]
+WIDTH = 1600  # [pixels] of a picture
+# Camera of a 3-D scene: the way from its middle to the camera, in lengths of the fluid, and which way is up.
+CAMERAS = {"oblique": ((0.25, -0.97, 0.68), (0, 0, 1)), "above": ((0, 0, 1.3), (0, 1, 0)), "side": ((0, -1.3, 0.1), (0, 0, 1)),
+           "upstream": ((-1.1, -0.1, 0.5), (0, 0, 1)), "downstream": ((1.1, -0.1, 0.5), (0, 0, 1))}
 
 
 def stretched(points, largest):
@@ -85,8 +105,8 @@ def title_of(folder):
 class Scene:
     """The run in one view."""
 
-    def __init__(self, folder):
-        self.folder = folder
+    def __init__(self, folder, camera="oblique", width=WIDTH):
+        self.folder, self.camera, self.width = folder, camera, width
         self.particles = OpenDataFile(str(folder / "snapshots.pvd"))
         if self.particles is None:
             raise SystemExit(f"error: {folder}/snapshots.pvd cannot be opened; is {folder} the folder of a finished run?")
@@ -99,6 +119,7 @@ class Scene:
         self.set_up_view()
         self.add_particles()
         self.frame()
+        self.add_axes()
         self.add_texts()
 
     def read_last(self):
@@ -123,7 +144,9 @@ class Scene:
         self.show_walls()
         if self.add_surfaces():
             return
-        if points_in(self.water):
+        if "Concentration" in self.names and array_range(self.water, "Concentration")[1] > 0:
+            self.show_by_concentration()
+        elif points_in(self.water):
             self.show_by_speed(self.water, BLUES, "speed of the water [m/s]")
         if points_in(self.sediment):
             if "State" in self.names and array_range(self.sediment, "State")[1] > 0:
@@ -171,6 +194,16 @@ class Scene:
         lookup.RGBPoints, lookup.ColorSpace = stretched(points, largest), "RGB"
         self.legends.append((lookup, title))
 
+    def show_by_concentration(self):
+        """Water by the share of its volume that grains take."""
+        shown = Show(self.water, self.view)
+        drawn_as_spheres(shown, self.spacing, self.flat)
+        ColorBy(shown, ("POINTS", "Concentration"))
+        largest = array_range(self.water, "Concentration")[1]
+        lookup = GetColorTransferFunction("Concentration")
+        lookup.RGBPoints, lookup.ColorSpace = stretched(BLUE_TO_BROWN, largest), "RGB"
+        self.legends.append((lookup, "grains in the water [-]"))
+
     def show_by_state(self):
         shown = Show(self.sediment, self.view)
         drawn_as_spheres(shown, self.spacing, self.flat)
@@ -195,6 +228,21 @@ class Scene:
             drawn_as_spheres(shown, self.spacing, self.flat)
             plain(shown, [0.72, 0.72, 0.72])
 
+    def add_axes(self):
+        """Axes in metres around what is shown; in a plane there is no y."""
+        grid = self.view.AxesGrid
+        grid.Visibility = 1
+        grid.XTitle, grid.YTitle, grid.ZTitle = ("x and z [m]", "", "") if self.flat else ("x [m]", "y [m]", "z [m]")
+        grid.ShowGrid = 0
+        grid.AxesToLabel = 0b000101 if self.flat else 0b000111  # once each, at the lower ends
+        grid.CullFrontface, grid.CullBackface = (1, 0) if self.flat else (0, 1)
+        for axis in "XYZ":
+            setattr(grid, f"{axis}TitleColor", INK)
+            setattr(grid, f"{axis}LabelColor", INK)
+            setattr(grid, f"{axis}TitleFontSize", 14)
+            setattr(grid, f"{axis}LabelFontSize", 12)
+        grid.GridColor = INK
+
     def add_texts(self):
         clock = AnnotateTimeFilter(registrationName="time", Input=self.particles)
         clock.Format = "t = {time:.3f} s"
@@ -216,20 +264,23 @@ class Scene:
         view = self.view
         middle = [(low + high) / 2 for low, high in zip(self.low, self.high)]
         if self.flat:
-            above, below = 50, 140  # [pixels] for the title and for the legends
+            above, below, beside = 50, 160, 80  # [pixels] for the title, for axis and legends, for the axis
             walls = 6 * self.spacing
-            metres = max((self.length + walls) / 1560, (self.height + walls) / 640)  # in a pixel
-            view.ViewSize = [1600, int((self.height + walls) / metres) + above + below]
+            metres = max((self.length + walls) / (self.width - 2 * beside), (self.height + walls) / (0.4 * self.width))  # in a pixel
+            view.ViewSize = [self.width, int((self.height + walls) / metres) + above + below]
             view.CameraParallelScale = metres * view.ViewSize[1] / 2
             middle[2] -= (below - above) / 2 * metres
             view.CameraPosition = [middle[0], middle[1] - 10 * self.length, middle[2]]
         else:
-            view.ViewSize = [1600, 800]
-            middle[2] -= 0.06 * self.length
-            view.CameraPosition = [middle[0] + 0.25 * self.length, middle[1] - 0.97 * self.length,
-                                   middle[2] + 0.68 * self.length]
+            view.ViewSize = [self.width, self.width // 2]
+            way, up = CAMERAS[self.camera]
+            if self.camera == "oblique":
+                middle[2] -= 0.06 * self.length
+            view.CameraPosition = [m + w * self.length for m, w in zip(middle, way)]
+            view.CameraViewUp = list(up)
         view.CameraFocalPoint = middle
-        view.CameraViewUp = [0, 0, 1]
+        if self.flat:
+            view.CameraViewUp = [0, 0, 1]
 
 
 def save_pictures(scene, folder, times):
@@ -245,8 +296,10 @@ def main(arguments):
     parser = argparse.ArgumentParser(prog="view.py", description=__doc__.splitlines()[0])
     parser.add_argument("--pictures", type=pathlib.Path, metavar="FOLDER", help="save a picture of each time there")
     parser.add_argument("--times", type=float, nargs="+", metavar="SECONDS", help="only of the times nearest to these")
+    parser.add_argument("--width", type=int, default=WIDTH, help="width of a picture in pixels (default: %(default)s)")
+    parser.add_argument("--camera", choices=sorted(CAMERAS), default="oblique", help="from where a 3-D run is seen (default: %(default)s)")
     options, _ = parser.parse_known_args(arguments)  # in its window ParaView's own words may stand here
-    scene = Scene(FOLDER)
+    scene = Scene(FOLDER, options.camera, options.width)
     if options.pictures:
         save_pictures(scene, options.pictures, options.times)
     else:

@@ -11,6 +11,7 @@ import unittest
 import formatting
 import headers
 import includes
+import links
 import readability
 import tracked_files
 
@@ -42,6 +43,17 @@ class Tree(unittest.TestCase):
         path = self.root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
+
+
+class Links(Tree):
+    def test_links_that_lead_nowhere(self):
+        self.write("docs/b.md", "# Two words\n")
+        self.write("README.md", "[a](docs/b.md) [b](docs/b.md#two-words) [c](docs) [d](https://nowhere.example) [e](#the-end)\n\n## The end\n")
+        self.assertEqual(links.check(self.root), ([], 2))
+        self.write("docs/c.md", "[a](b.md)\n[b](none.md)\n[c](b.md#three-words)\n")
+        violations, _ = links.check(self.root)
+        self.assertEqual([violation.split(";")[0] for violation in violations],
+                         ["docs/c.md:2: the link none.md leads nowhere", "docs/c.md:3: b.md has no heading three-words"])
 
 
 class Includes(Tree):

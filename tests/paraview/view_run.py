@@ -19,10 +19,13 @@ times = [0.0, 0.1]
 
 
 def pixels_of(picture):
+    """The part of a picture in which the scene is."""
     reader = vtkPNGReader()
     reader.SetFileName(str(picture))
     reader.Update()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(-1, 3).astype(int)
+    width, height, _ = reader.GetOutput().GetDimensions()
+    rows = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3).astype(int)
+    return rows[160:height - 50].reshape(-1, 3)  # from below: without the legends and the title
 
 
 class View(unittest.TestCase):
@@ -30,7 +33,9 @@ class View(unittest.TestCase):
     def setUpClass(cls):
         shutil.rmtree(pictures, ignore_errors=True)
         sys.argv = ["view.py", "--pictures", str(pictures), "--times", *map(str, times)]
-        runpy.run_path(str(run / "view.py"), run_name="__main__")
+        module = runpy.run_path(str(run / "view.py"), run_name="__main__")
+        cls.cameras = module["CAMERAS"]
+        cls.grids = [(view.AxesGrid.Visibility, view.AxesGrid.XTitle, list(view.ViewSize)) for view in GetRenderViews()]
         cls.pixels = {time: pixels_of(pictures / f"t{time:.3f}.png") for time in times}
 
         for view in GetRenderViews():
@@ -44,6 +49,11 @@ class View(unittest.TestCase):
                 self.assertGreater(numpy.mean((blue > red + 15) & (blue >= green)), 0.05, "water")
                 self.assertGreater(numpy.mean((red > blue + 40) & (red > green)), 0.1, "sediment")
                 self.assertGreater(numpy.mean(pixels.min(axis=1) > 250), 0.2, "background")
+
+    def test_axes_and_size_are_as_asked(self):
+        (visible, title, size), = self.grids
+        self.assertEqual((visible, title, size[0]), (1, "x and z [m]", 1600))
+        self.assertIn("above", self.cameras)
 
     def test_the_flow_is_seen_to_move(self):
         before, after = self.pixels.values()
