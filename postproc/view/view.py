@@ -40,7 +40,7 @@ BROWNS = [0, 0.40, 0.29, 0.17, 0.5, 0.80, 0.52, 0.20, 1, 1.0, 0.85, 0.45]
 SINK_AND_RISE = [-1, 0.00, 0.35, 0.32, -0.5, 0.35, 0.71, 0.67, 0, 0.96, 0.96, 0.94, 0.5, 0.75, 0.51, 0.18, 1, 0.33, 0.19, 0.02]
 INK = [0.15, 0.15, 0.15]
 WIDTH = 1600  # [pixels] of a picture
-# Camera of a 3-D scene: the way from its middle to the camera, in lengths of the fluid, and which way is up.
+# Camera of a 3-D scene: the way from its middle to the camera, in sizes of the fluid, and which way is up.
 CAMERAS = {"oblique": ((0.28, -1.09, 0.76), (0, 0, 1)), "above": ((0, 0, 1.3), (0, 1, 0)), "side": ((0, -1.45, 0.1), (0, 0, 1)),
            "upstream": ((-1.1, -0.1, 0.5), (0, 0, 1)), "downstream": ((1.1, -0.1, 0.5), (0, 0, 1))}
 
@@ -280,11 +280,12 @@ class Scene:
         else:
             view.ViewSize = [self.width, self.width // 2]
             way, up = CAMERAS[self.camera]
+            size = 0.8 * self.length + (self.high[1] - self.low[1]) + 0.5 * self.height  # of what is seen
             if self.camera == "above":
-                middle[1] -= 0.08 * self.length  # room for the legends
+                middle[1] -= 0.08 * size  # room for the legends
             else:
-                middle[2] -= (0.06 if self.camera == "oblique" else 0.12) * self.length
-            view.CameraPosition = [m + w * self.length for m, w in zip(middle, way)]
+                middle[2] -= (0.06 if self.camera == "oblique" else 0.12) * size
+            view.CameraPosition = [m + w * size for m, w in zip(middle, way)]
             view.CameraViewUp = list(up)
         view.CameraFocalPoint = middle
         if self.flat:
