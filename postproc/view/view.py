@@ -17,7 +17,6 @@ from paraview.simple import (AnnotateTimeFilter, Clip, ColorBy, CreateView, GetC
                              _DisableFirstRenderCameraReset)
 
 
-
 def own_folder():
     """The folder of this script. ParaView's window runs it without telling its name, which then stands in the command line."""
     name = globals().get("__file__")
@@ -41,8 +40,8 @@ BROWNS = [0, 0.40, 0.29, 0.17, 0.5, 0.80, 0.52, 0.20, 1, 1.0, 0.85, 0.45]
 SINK_AND_RISE = [-1, 0.00, 0.35, 0.32, -0.5, 0.35, 0.71, 0.67, 0, 0.96, 0.96, 0.94, 0.5, 0.75, 0.51, 0.18, 1, 0.33, 0.19, 0.02]
 INK = [0.15, 0.15, 0.15]
 WIDTH = 1600  # [pixels] of a picture
-# Camera of a 3-D scene: the way from its middle to the camera, in lengths of the fluid, and which way is up.
-CAMERAS = {"oblique": ((0.25, -0.97, 0.68), (0, 0, 1)), "above": ((0, 0, 1.3), (0, 1, 0)), "side": ((0, -1.3, 0.1), (0, 0, 1)),
+# Camera of a 3-D scene: the way from its middle to the camera, in sizes of the fluid, and which way is up.
+CAMERAS = {"oblique": ((0.28, -1.09, 0.76), (0, 0, 1)), "above": ((0, 0, 1.3), (0, 1, 0)), "side": ((0, -1.45, 0.1), (0, 0, 1)),
            "upstream": ((-1.1, -0.1, 0.5), (0, 0, 1)), "downstream": ((1.1, -0.1, 0.5), (0, 0, 1))}
 
 
@@ -51,11 +50,16 @@ def stretched(points, largest):
     return [value * largest if index % 4 == 0 else value for index, value in enumerate(points)]
 
 
+def font(view, size):
+    """A size of text that is smaller in small pictures."""
+    return max(9, round(size * min(1, view.ViewSize[0] / 1100)))
+
+
 def legend(view, lookup, title, place):
     bar = GetScalarBar(lookup, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = INK
-    bar.TitleFontSize = bar.LabelFontSize = 14
+    bar.TitleFontSize = bar.LabelFontSize = font(view, 14)
     bar.Orientation = "Horizontal"
     bar.WindowLocation = "Any Location"
     bar.Position = [place, 50 / view.ViewSize[1]]
@@ -188,6 +192,9 @@ class Scene:
     def show_by_speed(self, source, points, title):
         shown = Show(source, self.view)
         drawn_as_spheres(shown, self.spacing, self.flat)
+        if source is self.sediment and "BedShear" in self.names:  # a bed that is a surface: it only rises and sinks
+            plain(shown, STATE_COLOURS[:3])
+            return
         ColorBy(shown, ("POINTS", "Velocity", "Magnitude"), separate=True)
         largest = max(array_range(source, "Velocity")[1], 1e-6)
         lookup = GetColorTransferFunction("Velocity", shown, separate=True)
@@ -239,8 +246,8 @@ class Scene:
         for axis in "XYZ":
             setattr(grid, f"{axis}TitleColor", INK)
             setattr(grid, f"{axis}LabelColor", INK)
-            setattr(grid, f"{axis}TitleFontSize", 14)
-            setattr(grid, f"{axis}LabelFontSize", 12)
+            setattr(grid, f"{axis}TitleFontSize", font(self.view, 14))
+            setattr(grid, f"{axis}LabelFontSize", font(self.view, 12))
         grid.GridColor = INK
 
     def add_texts(self):
@@ -251,12 +258,11 @@ class Scene:
         title.Text = title_of(self.folder) + "  (SPH, Thalweg)"
         self.text(Show(title, self.view), "Upper Left Corner", 16)
         for number, (lookup, name) in enumerate(self.legends):
-            legend(self.view, lookup, name, 0.06 + 0.31 * number)
+            legend(self.view, lookup, name, 0.1 + 0.31 * number)
 
-    @staticmethod
-    def text(shown, place, size):
+    def text(self, shown, place, size):
         shown.WindowLocation = place
-        shown.FontSize = size
+        shown.FontSize = font(self.view, size)
         shown.Color = INK
 
     def frame(self):
@@ -274,9 +280,12 @@ class Scene:
         else:
             view.ViewSize = [self.width, self.width // 2]
             way, up = CAMERAS[self.camera]
-            if self.camera == "oblique":
-                middle[2] -= 0.06 * self.length
-            view.CameraPosition = [m + w * self.length for m, w in zip(middle, way)]
+            size = 0.8 * self.length + (self.high[1] - self.low[1]) + 0.5 * self.height  # of what is seen
+            if self.camera == "above":
+                middle[1] -= 0.08 * size  # room for the legends
+            else:
+                middle[2] -= (0.06 if self.camera == "oblique" else 0.12) * size
+            view.CameraPosition = [m + w * size for m, w in zip(middle, way)]
             view.CameraViewUp = list(up)
         view.CameraFocalPoint = middle
         if self.flat:

@@ -110,8 +110,11 @@ class Case:
         """Writes the case to a file, or as case.toml into a folder, which is made. Files that shapes name are not copied."""
         path = pathlib.Path(path)
         file = path if path.suffix == ".toml" else path / "case.toml"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(self.text, encoding="utf-8")
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(self.text, encoding="utf-8")
+        except OSError as error:
+            raise InputError(f"{file}: cannot be written ({error.strerror}); give a folder that may be written") from error
         return file
 
 

@@ -254,6 +254,8 @@ class Import(unittest.TestCase):
         self.assertIn("in a circle", self.refused(definition(DAM + '<runlist name="a" />', lists='<list name="a"><runlist name="a" /></list>')))
         self.assertIn("cannot be read", call(thalweg, "import", self.folder / "none.xml").stderr)
         self.assertIn("is a folder", call(thalweg, "import", self.folder).stderr)
+        self.file.write_text(good, encoding="utf-8")
+        self.assertIn("cannot be written", call(thalweg, "import", self.file, "-o", self.file / "below").stderr)
 
     def test_a_case_is_not_overwritten(self):
         self.imported(definition(DAM), fills=False)

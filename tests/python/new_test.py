@@ -48,6 +48,12 @@ class New(unittest.TestCase):
             self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), result.stderr)
             self.assertIn(known, result.stderr)
 
+    def test_a_folder_that_cannot_be_is_one_line(self):
+        (self.folder / "file").write_text("")
+        for name in ("file", "file/below"):
+            result = call(thalweg, "new", self.folder / name)
+            self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), result.stderr)
+
     def test_a_case_is_not_overwritten(self):
         self.assertEqual(call(thalweg, "new", self.folder / "a").returncode, 0)
         again = call(thalweg, "new", self.folder / "a", "--from", "pier")

@@ -25,10 +25,13 @@ def case_name(file):
 
 
 def write(imported, folder):
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, content in imported.files.items():
-        (folder / name).write_bytes(content)
-    (folder / "case.toml").write_text(imported.text, encoding="utf-8")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, content in imported.files.items():
+            (folder / name).write_bytes(content)
+        (folder / "case.toml").write_text(imported.text, encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written ({error.strerror}); give a folder that may be written with --out") from error
 
 
 def import_case():
