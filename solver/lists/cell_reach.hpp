@@ -103,7 +103,8 @@ struct LocalFrame {
         high = std::max(high, d);
       }
       middle[k] = lane_difference(place(0, k), static_cast<std::int32_t>(-(low + high) / 2));
-      half[k] = rounding * static_cast<float>((high - low + 2) / 2) * lattice.quantum[k];
+      const std::int64_t half_width = (high - low + 2) / 2;
+      half[k] = rounding * static_cast<float>(half_width) * lattice.quantum[k];
     }
   }
 

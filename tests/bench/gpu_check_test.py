@@ -156,7 +156,7 @@ class GpuCheck(unittest.TestCase):
         self.assertEqual(self.check("--only", "tests", "--quick").returncode, 0)
         self.say("solver_fails")
         self.assertEqual(self.check("--only", "bench", "--quick").returncode, 1)
-        self.assertIn("error: made up", self.rows()["flume 0.12 M"]["why"])
+        self.assertIn("error: made up", self.rows()["flume 0.15 M"]["why"])
 
     def test_holds_two_runs_against_each_other_and_the_cpu(self):
         self.say("runs_differ")
@@ -170,12 +170,12 @@ class GpuCheck(unittest.TestCase):
     def test_refuses_figures_of_a_busy_gpu(self):
         self.say("others", "4711, python3, 900\n")
         self.assertEqual(self.check("--only", "bench", "--quick").returncode, 1)
-        self.assertIn("another process computes on the GPU: 4711", self.rows()["flume 0.12 M"]["why"])
-        self.assertNotIn("figures", self.rows()["flume 0.12 M"])
+        self.assertIn("another process computes on the GPU: 4711", self.rows()["flume 0.15 M"]["why"])
+        self.assertNotIn("figures", self.rows()["flume 0.15 M"])
         (self.fake / "others").unlink()
         self.say("used", "42\n")
         self.check("--only", "bench", "--quick")
-        self.assertIn("42 % busy", self.rows()["flume 0.12 M"]["why"])
+        self.assertIn("42 % busy", self.rows()["flume 0.15 M"]["why"])
         (self.fake / "used").unlink()
         self.assertEqual(self.check("--only", "bench", "--quick").returncode, 0)
 

@@ -30,7 +30,7 @@ MODELS = [
 
 # Developed flows: (name, case, settings, time from which steps are counted, steps, quick).
 BENCHES = [
-    ("flume 0.12 M", "cases/louvain3d", ('numerics.spacing="6.6 mm"',), "0.12 s", 200, True),
+    ("flume 0.15 M", "cases/louvain3d", ('numerics.spacing="6.6 mm"',), "0.12 s", 200, True),
     ("water 0.2 M", "cases/spheric02", ('numerics.spacing="1.8 cm"',), "0.4 s", 200, True),
     ("water 3 M", "cases/spheric02", ('numerics.spacing="7 mm"',), "0.4 s", 100, False),
     ("flume 1 M", "cases/louvain3d", ('numerics.spacing="2.95 mm"',), "0.12 s", 200, False),

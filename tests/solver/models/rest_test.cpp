@@ -177,8 +177,21 @@ TYPED_TEST(Rest, LeavesAStillBedOutOfEverySweep) {
   Workspace<TypeParam> work;
   Timing timing;
   double time = 0;
-  while (time < 1.5 && resting_of(test::look(l)) < l.p.fluid_count)
+  Index resting = 0;
+  std::int64_t changed = 0;  // the step
+  while (time < 1.5 && resting < l.p.fluid_count) {
+    const std::int64_t rebuilds = work.list_rebuilds;
     time += advance(l.on, l.p, scene, work, 1, timing).step.dt;
+    const Index now = resting_of(test::look(l));
+    if (now != resting || work.list_rebuilds > rebuilds) {
+      const bool due = work.list_rebuilds > rebuilds || work.number - changed >= rest::most_steps;
+      EXPECT_TRUE(due) << "step " << work.number << ", changed in step " << changed;
+      changed = work.number;
+    }
+    resting = now;
+  }
+  // All steps but those with new lists, and those after a change, have launches that a GPU knows before.
+  EXPECT_GE(work.launches.fixed, (work.number - work.list_rebuilds) * (rest::most_steps - 1) / rest::most_steps);
 
   const test::Seen end = test::look(l);
   EXPECT_EQ(resting_of(end), end.fluid_count);
