@@ -1,7 +1,7 @@
 # Debian packages, made by `cpack` in the build folder: thalweg (programs, cores, manual, documents, cases) and, where it is built,
 # thalweg-cuda (the core for NVIDIA GPUs). What the programs are linked with becomes their dependencies by dpkg-shlibdeps.
-include("${CMAKE_CURRENT_LIST_DIR}/version_of.cmake")
-thalweg_version_of("${PROJECT_SOURCE_DIR}" "${PROJECT_VERSION}" CPACK_PACKAGE_VERSION ignored)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/package_config.cmake.in" "${CMAKE_BINARY_DIR}/package_config.cmake" @ONLY)
+set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_BINARY_DIR}/package_config.cmake")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME thalweg)
@@ -10,10 +10,6 @@ set(CPACK_PACKAGE_CONTACT "The Thalweg developers <thalweg@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "scour of a sediment bed by water, from a case file to a report")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL programs)
-if(TARGET thalweg_core_cuda AND EXISTS "${CMAKE_BINARY_DIR}/bin/thalweg_core_cuda.so")
-  list(APPEND CPACK_COMPONENTS_ALL cuda)
-endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -28,6 +24,5 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "openfoam, make, g++, ffmpeg")
 set(CPACK_DEBIAN_CUDA_PACKAGE_NAME thalweg-cuda)
 set(CPACK_COMPONENT_CUDA_DESCRIPTION "The solver's core for NVIDIA GPUs, which --backend auto uses where a GPU and its driver are.")
-set(CPACK_DEBIAN_CUDA_PACKAGE_DEPENDS "thalweg (= ${CPACK_PACKAGE_VERSION})")
 set(CPACK_DEBIAN_CUDA_PACKAGE_SUGGESTS "nvidia-driver")
 include(CPack)

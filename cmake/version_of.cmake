@@ -1,6 +1,7 @@
 # thalweg_version_of(SOURCE RELEASE VERSION COMMIT): version and commit of a source tree. In a git repository a tag v0.2.0 gives
-# "0.2.0", and 14 commits after it "0.2.0+14.g1a2b3c4d5"; changes that are not committed add ".modified". An archive that git
-# made carries the same in cmake/git_archive.txt. A tree without either has the version RELEASE and the commit "unknown".
+# "0.2.0", and 14 commits after it "0.2.0+14.g1a2b3c4d5"; without any tag all commits are counted after RELEASE. Changes that are
+# not committed add ".modified". An archive that git made carries the same in cmake/git_archive.txt. A tree without either has the
+# version RELEASE and the commit "unknown".
 function(thalweg_version_of source release version commit)
   set(${version} "${release}" PARENT_SCOPE)
   set(${commit} "unknown" PARENT_SCOPE)
@@ -14,6 +15,9 @@ function(thalweg_version_of source release version commit)
     endif()
     execute_process(COMMAND ${git} describe --tags --match v[0-9]* --abbrev=9 OUTPUT_VARIABLE described ERROR_QUIET
       OUTPUT_STRIP_TRAILING_WHITESPACE)
+    # Counted where there is no tag, so that a later commit has a higher version.
+    execute_process(COMMAND ${git} rev-list --count HEAD OUTPUT_VARIABLE count ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+    set(count "${count}.")
     execute_process(COMMAND ${git} diff-index --quiet HEAD -- RESULT_VARIABLE modified ERROR_QUIET)
   else()
     file(STRINGS "${source}/cmake/git_archive.txt" lines)
@@ -28,6 +32,7 @@ function(thalweg_version_of source release version commit)
     set(head "${archive_commit} of ${archive_date}")
     set(described "${archive_describe}")
     set(modified 0)
+    set(count "")
   endif()
 
   string(REGEX REPLACE " .*" "" hash "${head}")
@@ -39,7 +44,7 @@ function(thalweg_version_of source release version commit)
   elseif(described MATCHES "^v([0-9][0-9.]*)$")
     set(found "${CMAKE_MATCH_1}")
   else()
-    set(found "${release}+g${hash}")
+    set(found "${release}+${count}g${hash}")
   endif()
   if(modified)
     if(NOT found MATCHES "[+]")

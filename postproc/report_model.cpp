@@ -118,6 +118,12 @@ std::string run_numbers(const ReportInput& input) {
   return text;
 }
 
+/// Who has set a constant. Where a case gives no largest speed, the resolved case holds the one that gencase has found.
+std::string origin_of(const Constant& constant) {
+  if (constant.is_default) return "<span class=\"soft\">default</span>";
+  return constant.key == "maximum_speed" ? "case, or found by gencase" : "case";
+}
+
 std::string model(const ReportInput& input) {
   std::vector<std::vector<std::string>> switches;
   for (const Switch& entry : list_switches(input.resolved)) {
@@ -135,8 +141,7 @@ std::string model(const ReportInput& input) {
         rows.push_back({escape(constant.key), escape(constant.value), "case", html::typeset(constant.meaning)});
         continue;
       }
-      rows.push_back({"<code>" + escape(constant.key) + "</code>", html::typeset(constant.value),
-                      constant.is_default ? "<span class=\"soft\">default</span>" : "case",
+      rows.push_back({"<code>" + escape(constant.key) + "</code>", html::typeset(constant.value), origin_of(constant),
                       "<span class=\"soft\">" + escape(constant.meaning) + "</span>"});
     }
   }

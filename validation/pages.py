@@ -47,7 +47,7 @@ def command_line(ignored=("--resume", "--force")):
 
 def origin(thalweg, folder):
     """Lines that say which program made the figures."""
-    version = subprocess.run([thalweg, "--version"], capture_output=True, text=True, check=False).stdout.strip()
+    version = subprocess.run([thalweg, "--version"], capture_output=True, text=True, check=False).stdout.partition("\n")[0]
     return {"program": version, "commit": commit(folder), "command": command_line()}
 
 

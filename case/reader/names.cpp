@@ -30,7 +30,7 @@ class NameCheck {
       } else if (const TableDeclaration* declared = find_table(tables_, name); declared != nullptr && one_word) {
         table(*declared, name, node);
       } else {
-        mistakes_.attempt([&] { reject_unknown_table(name, node); });
+        mistakes_.attempt([&, &value = node] { reject_unknown_table(name, value); });
       }
     }
   }
@@ -52,7 +52,7 @@ class NameCheck {
       const std::string path = fmt::format("{}.{}", name, entry.str());
       const TableDeclaration* declared = find_table(tables_, path);
       if (declared == nullptr) {
-        mistakes_.attempt([&] { reject_unknown_table(path, values); });
+        mistakes_.attempt([&, &value = values] { reject_unknown_table(path, value); });
         continue;
       }
       keys(as_table(values, path), *declared, path);

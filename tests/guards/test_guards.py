@@ -177,6 +177,7 @@ class Headers(Tree):
         self.assertIn("no unit of solver", violations[0])
 
 
+@unittest.skipUnless(shutil.which("clang-format-14"), "clang-format-14 is not installed")
 class Formatting(Tree):
     def test_a_misplaced_brace_is_found_with_its_line(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")
@@ -197,6 +198,7 @@ class Readability(Tree):
                          ["solver/passes/pass.hpp", "solver/step.hpp"])
 
 
+@unittest.skipUnless(shutil.which("clang-tidy-14"), "clang-tidy-14 is not installed")
 class StaticAnalysis(Tree):
     def test_the_checks_that_are_switched_on_find_mistakes(self):
         settings = pathlib.Path(__file__).resolve().parents[2] / ".clang-tidy"

@@ -47,7 +47,7 @@ class Package(unittest.TestCase):
     def test_it_carries_the_version_of_the_programs(self):
         told = output(BUILD / "bin" / "thalweg", "--version").splitlines()[0].split()[-1]
         packaged = output("dpkg-deb", "--field", self.package, "Version").strip()
-        # The package's version is taken when the build is configured, the program's when it is built.
+        # The package's version is taken when it is made, the program's when that is built.
         self.assertEqual(re.split(r"[+]", packaged)[0], re.split(r"[+]", told)[0])
 
 

@@ -48,7 +48,7 @@ class Repository(unittest.TestCase):
 
     def test_a_commit_without_tags_has_the_release_and_its_hash(self):
         version, commit = self.built()
-        self.assertEqual(version, "0.2.0+g" + self.git("rev-parse", "--short=9", "HEAD"))
+        self.assertEqual(version, "0.2.0+1.g" + self.git("rev-parse", "--short=9", "HEAD"))
         self.assertTrue(commit.startswith(self.git("rev-parse", "--short=9", "HEAD") + " of "))
 
     def test_a_tag_is_the_version_and_later_commits_are_counted(self):

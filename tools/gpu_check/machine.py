@@ -27,7 +27,7 @@ def facts(bundle):
     name, driver, memory = line[0].split(", ")[:3]
     return {"device": name, "driver": driver, "memory_MiB": memory, "host": platform.machine(),
             "cores": os.cpu_count(), "when": time.strftime("%Y-%m-%d"),
-            "code": text_of([bundle / "bin" / "thalweg-solver", "--version"])}
+            "code": text_of([bundle / "bin" / "thalweg-solver", "--version"]).partition("\n")[0]}
 
 
 def busy():
