@@ -83,10 +83,6 @@ void check_grains(const Inlet& inlet, const Case& whole, const CheckContext& at)
     at.reject(at.key("grains"), at.path() + " brings grains without a concentration",
               "give concentration, or write grains = \"none\"");
   }
-  if (inlet.grains == InletGrains::equilibrium && !whole.has_sediment()) {
-    at.reject(at.key("grains"), at.path() + " brings as many grains as a bed holds, and the case has no sediment",
-              "give a shape the role \"sediment\", or write grains = \"rouse\" with a concentration");
-  }
   if (inlet.grains != InletGrains::rouse && inlet.grains != InletGrains::equilibrium) return;
   if (inlet.grains == InletGrains::rouse &&
       (!(inlet.reference_height > 0) || inlet.reference_height >= inlet.extent_up())) {

@@ -263,7 +263,7 @@ TEST_F(Umbrella, SaysWhatIsInARun) {
   EXPECT_THAT(output(), HasSubstr("  water                  1  2.5e-05 m^2  0.025 kg/m\n"));
   EXPECT_THAT(output(), HasSubstr("  sediment               1  2.5e-05 m^2  0.03125 kg/m\n"));
   // 3 particles of 500 and 120 bytes.
-  EXPECT_THAT(output(), HasSubstr("solver: about 1.86 kB on a CPU; 1.2 kB of a GPU's and 360 B of the host's\n"));
+  EXPECT_THAT(output(), HasSubstr("solver: about 1.86 kB on a CPU; 2.4 kB of a GPU's and 360 B of the host's\n"));
   EXPECT_THAT(output(), HasSubstr("  sediment, deposit: 1\n"));
   EXPECT_THAT(output(), HasSubstr("  x from -1 m to 1.5 m\n  z from 0 m to 0.25 m\n  speed 0 to 5 m/s\n"));
   EXPECT_THAT(output(), HasSubstr("snapshots.pvd: 2 snapshots, 0 s to 0.25 s; 2 of the files are missing\n"));

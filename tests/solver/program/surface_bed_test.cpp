@@ -125,7 +125,7 @@ TEST(SurfaceBedRun, GrainsThatSettleRaiseTheBed) {
 TEST(SurfaceBedRun, HoldsTheGrainsOfRousesProfile) {
   test::CaseRun run("surface_rouse");
   run.fill_from(scene("channel"), {"suspended_load.carried_by=\"water\"", "materials.sand.grain_diameter=\"0.13 mm\"",
-                                   "materials.sand.critical_shields=0.6", "surface_bed.factor=1", "output.end=\"16 s\"",
+                                   "materials.sand.critical_shields=0.6", "surface_bed.factor=1", "output.end=\"24 s\"",
                                    "output.interval=\"8 s\""});
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const Grains sand = grains_of(run.scene());
