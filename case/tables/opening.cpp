@@ -63,9 +63,11 @@ void check_zone(const Opening& opening, const Case& whole, const CheckContext& a
 
 double value_at(const std::vector<double>& times, const std::vector<double>& values, double time, double otherwise) {
   if (values.empty()) return otherwise;
-  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  // Tables of unequal length are refused, but other tables are checked against them before that is told.
+  const auto end = times.begin() + static_cast<std::ptrdiff_t>(std::min(times.size(), values.size()));
+  const auto after = std::upper_bound(times.begin(), end, time);
   if (after == times.begin()) return values.front();
-  if (after == times.end()) return values.back();
+  if (after == end) return values.back();
   const auto row = static_cast<std::size_t>(after - times.begin());
   const double share = (time - times[row - 1]) / (times[row] - times[row - 1]);
   return values[row - 1] + share * (values[row] - values[row - 1]);
