@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+
+#include "common/particles.hpp"
 #include "solver/models/rest/rest.hpp"
 #include "solver/models/rest/scene.hpp"
 
