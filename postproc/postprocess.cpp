@@ -91,7 +91,7 @@ bool make_report(ReportInput& input, bool in_space) {
   input.openings = read_openings(input.resolved, run.history());
   input.scour = read_scour(input.resolved, run.history());
   input.scour_checks = read_scour_checks(run, input.scour);
-  input.formulas = formula_rows_of(input.resolved);
+  input.formulas = formula_rows_of(read_scene(input.resolved));
   input.stations = velocity_stations(input.resolved, find_snapshots(run).entries);
   input.timing = read_timing(run.timing());
   input.summary = read_quantities(run.summary());

@@ -116,17 +116,10 @@ void forget_contradicted(const Inputs& given, Inputs& of_case, std::vector<Scour
 std::vector<FormulaRow> rows_of(const FormulaOptions& options, const Inputs& given, SceneReading& reading) {
   add_given(given, reading.subjects);
   forget_contradicted(given, reading.inputs, reading.subjects);
-  std::vector<FormulaRow> rows;
   for (ScourSubject& subject : reading.subjects) {
-    Inputs inputs = reading.inputs;
-    inputs.take_over(subject.inputs);
-    inputs.take_over(given);
-    subject.inputs = inputs;
     if (!options.nose.empty() && subject.kind == ScourKind::pier) subject.nose = nose_of(options.nose);
-    derive(subject.inputs);
-    for (FormulaRow& row : formula_rows(subject)) rows.push_back(std::move(row));
   }
-  return rows;
+  return formula_rows_of(reading, given);
 }
 
 void describe_options(CLI::App& app, FormulaOptions& options) {

@@ -156,12 +156,12 @@ SceneReading read_scene(const Case& scene) {
   return reading;
 }
 
-std::vector<FormulaRow> formula_rows_of(const Case& scene) {
-  const SceneReading reading = read_scene(scene);
+std::vector<FormulaRow> formula_rows_of(const SceneReading& reading, const Inputs& given) {
   std::vector<FormulaRow> rows;
   for (ScourSubject subject : reading.subjects) {
     Inputs inputs = reading.inputs;
     inputs.take_over(subject.inputs);
+    inputs.take_over(given);
     subject.inputs = inputs;
     derive(subject.inputs);
     for (FormulaRow& row : formula_rows(subject)) rows.push_back(std::move(row));

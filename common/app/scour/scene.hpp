@@ -26,7 +26,8 @@ struct SceneReading {
 /// largest value.
 SceneReading read_scene(const Case& scene);
 
-/// The rows of all formulas for what a case shows, without options. A row without its inputs has no value.
-std::vector<FormulaRow> formula_rows_of(const Case& scene);
+/// The rows of all formulas for what a case shows; what is given counts before what the case tells. A row without its
+/// inputs has no value.
+std::vector<FormulaRow> formula_rows_of(const SceneReading& reading, const Inputs& given = {});
 
 }  // namespace thalweg
