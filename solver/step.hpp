@@ -51,12 +51,12 @@ template <int Dim, class Device>
 std::vector<ExcludedParticle> refresh_neighbours(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
                                                  Workspace<Device>& work) {
   work.state.resize(1);
-  if (!work.squared_drift && !p.listed_at.empty()) {
+  if (!work.squared_drift && p.has_lists()) {
     neighbours::find_squared_drift(on, p, scene, work.state.data());
     work.squared_drift = on.read(work.state.data()).squared_drift;
   }
-  if (!p.listed_at.empty() && !must_rebuild_lists(scene, *work.squared_drift)) return {};
-  if (!p.listed_at.empty()) AllModels::before_lists(on, p, scene, work);
+  if (p.has_lists() && !must_rebuild_lists(scene, *work.squared_drift)) return {};
+  if (p.has_lists()) AllModels::before_lists(on, p, scene, work);
   auto excluded = rebuild_lists(on, p, scene, work.population);
   work.new_lists = true;
   work.squared_drift = 0;

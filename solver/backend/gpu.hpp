@@ -12,6 +12,7 @@
 #include "solver/backend/device_buffer.hpp"
 #include "solver/backend/gpu_threads.hpp"
 #include "solver/backend/list_limit.hpp"
+#include "solver/backend/ranks.hpp"
 
 // The verbs of a backend on a device with its own memory and a thread for each particle. How such a device is reached
 // is the Runtime's: CUDA's (solver/backend/cuda.cuh), or, in the tests, the host's with memory that nobody may touch
@@ -105,6 +106,7 @@ class Gpu {
   }
 
   AccessListener* listener = nullptr;
+  static constexpr SharedScene* shared = nullptr;  // several ranks compute on CPU cores so far
 
   template <class Body>
   void for_each(Index n, const Body& body) const {
@@ -120,6 +122,10 @@ class Gpu {
     if (n == 0) return start;
     return Runtime::template with_result<T>(
         [&](T* result) { Runtime::reduce(n, start, of, combine, Keep<T>{result}, nullptr); });
+  }
+  template <class T, class Of, class Combine>
+  T reduce_here(Index n, const T& start, const Of& of, const Combine& combine) const {
+    return reduce(n, start, of, combine);
   }
   template <class T, class Of, class Combine, class Then>
   void reduce_then(Index n, const T& start, const Of& of, const Combine& combine, const Then& then) const {

@@ -38,6 +38,23 @@ struct MemberTerm {
   }
 };
 
+/// The terms of a cluster's particles together.
+template <class Of, class T, class Combine>
+struct ClusterTerm {
+  using reads = typename Of::reads;
+  using writes = typename Of::writes;
+  ClusterList list;
+  Of of;
+  T start;
+  Combine combine;
+
+  HOST_DEVICE T operator()(Index c) const {
+    T sum = start;
+    for (Index i = list.first(c); i < list.last(c); ++i) sum = combine(sum, of(i));
+    return sum;
+  }
+};
+
 template <class Device, class Body>
 void for_each_member(Device& on, const ClusterList& list, ClusterRange range, const Body& body) {
   require_particle_body<Body>();
@@ -49,7 +66,11 @@ template <class Device, class T, class Of, class Combine, class Then>
 void reduce_members_then(Device& on, const ClusterList& list, ClusterRange range, const T& start, const Of& of,
                          const Combine& combine, const Then& then) {
   require_particle_body<Of>();
-  on.reduce_then(range.count * cluster_size, start, MemberTerm<Of, T>{list, range, of, start}, combine, then);
+  if constexpr (Device::is_host) {
+    on.reduce_clusters_then(list, range, start, ClusterTerm<Of, T, Combine>{list, of, start, combine}, combine, then);
+  } else {
+    on.reduce_then(range.count * cluster_size, start, MemberTerm<Of, T>{list, range, of, start}, combine, then);
+  }
 }
 
 }  // namespace thalweg

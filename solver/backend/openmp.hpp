@@ -13,6 +13,7 @@
 #include "solver/backend/device.hpp"
 #include "solver/backend/openmp_lists.hpp"
 #include "solver/backend/openmp_sweep.hpp"
+#include "solver/backend/ranks.hpp"
 
 namespace thalweg {
 
@@ -36,6 +37,7 @@ struct OpenMp {
 
   int threads = omp_get_max_threads();
   AccessListener* listener = nullptr;
+  SharedScene* shared = nullptr;  // on several ranks
 
   /// Fewer particles (a few ns each in a particle pass) or clusters (some hundred ns each in a sweep) than these are
   /// not worth waking other threads for: ten to twenty microseconds, more on a busy machine.
@@ -114,24 +116,24 @@ struct OpenMp {
 
   /// combine(… combine(combine(start, of(0)), of(1)) …), over blocks of a fixed size so that rounding does not depend
   /// on the threads. T is copied freely; combine is associative up to rounding, and start changes nothing it is
-  /// combined with.
+  /// combined with. On several ranks the result is that of all ranks' terms, one rank after the other.
   template <class T, class Of, class Combine>
   T reduce(Index n, T start, const Of& of, const Combine& combine) const {
-    require_particle_body<Of>();
-    const Announcement announced(listener, access_of<Of>, nullptr);
-    constexpr Index block = 2048;
-    const Index blocks = (n + block - 1) / block;
-    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
-#pragma omp parallel for schedule(static) num_threads(threads) if (n >= least_parallel)
-    for (Index b = 0; b < blocks; ++b) {
-      T sum = start;
-      const Index end = (b + 1) * block < n ? (b + 1) * block : n;
-      for (Index i = b * block; i < end; ++i) sum = combine(sum, of(i));
-      partial[b].sum = sum;
-    }
+    const T mine = reduce_here(n, start, of, combine);
+    if (shared == nullptr) return mine;
     T total = start;
-    for (const Partial<T>& p : partial) total = combine(total, p.sum);
+    for (const Partial<T>& of_rank : gather_from(shared->ranks, Partial<T>{mine})) total = combine(total, of_rank.sum);
     return total;
+  }
+  /// The same over the fluid: whatever ranks it lies on, the same bits.
+  template <class T, class Of, class Combine>
+  T reduce(FluidCount n, T start, const Of& of, const Combine& combine) const {
+    return total(block_tree(n, start, of, combine, first_block()), start, combine);
+  }
+  /// Over this rank's terms alone.
+  template <class T, class Of, class Combine>
+  T reduce_here(Index n, T start, const Of& of, const Combine& combine) const {
+    return block_tree(n, start, of, combine, 0).total(start);
   }
 
   /// then(reduce(n, start, of, combine)), on the device: the host does not wait for it.
@@ -139,6 +141,20 @@ struct OpenMp {
   void reduce_then(Index n, const T& start, const Of& of, const Combine& combine, const Then& then) const {
     require_particle_body<Of>();
     if (!is_off()) then(reduce(n, start, of, combine));
+  }
+  template <class T, class Of, class Combine, class Then>
+  void reduce_then(FluidCount n, const T& start, const Of& of, const Combine& combine, const Then& then) const {
+    require_particle_body<Of>();
+    if (!is_off()) then(reduce(n, start, of, combine));
+  }
+  /// then(of(c) for every cluster c of a range, combined), on the device; the same bits on any number of ranks.
+  template <class T, class Of, class Combine, class Then>
+  void reduce_clusters_then(const ClusterList& list, ClusterRange range, const T& start, const Of& of,
+                            const Combine& combine, const Then& then) const {
+    require_particle_body<Of>();
+    const Announcement announced(listener, access_of<Of>, flag_);
+    if (is_off()) return;
+    then(total_of_clusters(list, range, start, combine, [&](Index c, T& sum) { sum = combine(sum, of(c)); }));
   }
 
   /// offsets[i] = sum of counts before i, offsets[n] = total, which is returned.
@@ -260,22 +276,10 @@ struct OpenMp {
     require_sweep_body<Body, Dim>();
     const Announcement announced(listener, access_of<Body>, flag_);
     if (is_off()) return;
-    constexpr Index block = 32;
-    const Index blocks = (range.count + block - 1) / block;
-    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
-#pragma omp parallel for schedule(static) num_threads(threads) if (range.count >= least_parallel_clusters)
-    for (Index b = 0; b < blocks; ++b) {
-      T total = start;
-      const Index end = (b + 1) * block < range.count ? (b + 1) * block : range.count;
-      for (Index n = b * block; n < end; ++n) {
-        Sweep::template visit<Dim>(list, range[n], records, metric, body,
-                                   [&](Index i, const auto& sum) { total = combine(total, body.end(i, sum)); });
-      }
-      partial[b].sum = total;
-    }
-    T total = start;
-    for (const Partial<T>& p : partial) total = combine(total, p.sum);
-    then(total);
+    then(total_of_clusters(list, range, start, combine, [&](Index c, T& sum) {
+      Sweep::template visit<Dim>(list, c, records, metric, body,
+                                 [&](Index i, const auto& of_pairs) { sum = combine(sum, body.end(i, of_pairs)); });
+    }));
   }
 
  private:
@@ -286,6 +290,64 @@ struct OpenMp {
     T sum;
   };
   static constexpr Index scan_block = 4096;
+  /// Particles in a block of a sum. Ranks have whole blocks of the fluid.
+  static constexpr Index block = sum_block;
+  static constexpr Index clusters_in_block = block / cluster_size;
+
+  template <class T, class Of, class Combine>
+  BlockTree<T, Combine> block_tree(Index n, const T& start, const Of& of, const Combine& combine,
+                                   std::int64_t first) const {
+    require_particle_body<Of>();
+    const Announcement announced(listener, access_of<Of>, nullptr);
+    const Index blocks = (n + block - 1) / block;
+    return tree_of_blocks(first, blocks, start, combine, n >= least_parallel, [&](Index b, T& sum) {
+      const Index end = (b + 1) * block < n ? (b + 1) * block : n;
+      for (Index i = b * block; i < end; ++i) sum = combine(sum, of(i));
+    });
+  }
+
+  /// add(c, sum) for the clusters of a range, in blocks of the fluid's particles, of whatever clusters the range has in
+  /// each; combined over all ranks.
+  template <class T, class Combine, class Add>
+  T total_of_clusters(const ClusterList& list, ClusterRange range, const T& start, const Combine& combine,
+                      const Add& add) const {
+    const Index blocks = (list.fluid_clusters + clusters_in_block - 1) / clusters_in_block;
+    const auto first_of = [&](Index b) {
+      const Index c = b * clusters_in_block;
+      if (range.clusters == nullptr) return c < range.count ? c : range.count;
+      return static_cast<Index>(std::lower_bound(range.clusters, range.clusters + range.count, c) - range.clusters);
+    };
+    const bool parallel = range.count >= least_parallel_clusters;
+    return total(tree_of_blocks(first_block(), blocks, start, combine, parallel,
+                                [&](Index b, T& sum) {
+                                  const Index end = first_of(b + 1);
+                                  for (Index n = first_of(b); n < end; ++n) add(range[n], sum);
+                                }),
+                 start, combine);
+  }
+
+  template <class T, class Combine, class Add>
+  BlockTree<T, Combine> tree_of_blocks(std::int64_t first, Index blocks, const T& start, const Combine& combine,
+                                       bool parallel, const Add& add) const {
+    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
+#pragma omp parallel for schedule(dynamic, 4) num_threads(threads) if (parallel)
+    for (Index b = 0; b < blocks; ++b) {
+      T sum = start;
+      add(b, sum);
+      partial[b].sum = sum;
+    }
+    BlockTree<T, Combine> tree(combine);
+    for (Index b = 0; b < blocks; ++b) tree.add(first + b, partial[b].sum);
+    return tree;
+  }
+
+  [[nodiscard]] std::int64_t first_block() const { return shared == nullptr ? 0 : shared->first_block; }
+
+  /// Of blocks of the fluid, on all ranks.
+  template <class T, class Combine>
+  T total(BlockTree<T, Combine> tree, const T& start, const Combine& combine) const {
+    return shared == nullptr ? tree.total(start) : total_of(shared->ranks, tree, start, combine);
+  }
 
   const int* flag_ = nullptr;
   [[nodiscard]] bool is_off() const { return flag_ != nullptr && *flag_ == 0; }

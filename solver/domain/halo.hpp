@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <functional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "solver/backend/buffer.hpp"
@@ -43,11 +46,15 @@ struct alignas(16) PackedQuad {
   float v[4];
 };
 
-/// Calls part(entries, stride, example) for every part of a message with these fields: quads of the record in the order
-/// of their bits, then the arrays in the order of their declaration.
+/// Fields that lie beside the particles' arrays, a quad each: where their quads are, or nullptr.
+using FieldsBeside = std::function<PackedQuad*(const Field&)>;
+
+/// Calls part(entries, stride) for every part of a message with these fields: quads of the record in the order of their
+/// bits, then the arrays in the order of their declaration, then the fields beside them. Throws std::logic_error for a field
+/// of which there are no copies.
 template <int Dim, class Device, class Part>
 void for_each_halo_part(Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
-                        const Part& part) {
+                        const FieldsBeside& beside, const Part& part) {
   unsigned quads = 0;
   for (const Field* field : fields) quads |= field->quad;
   auto* records = reinterpret_cast<PackedQuad*>(p.record.data());
@@ -55,20 +62,41 @@ void for_each_halo_part(Particles<Device>& p, const Scene<Dim>& scene, const std
   for (std::size_t q = 0; q < in_record; ++q) {
     if ((quads & (1U << q)) != 0) part(records + q, in_record);
   }
+  std::vector<const Field*> found;
   EachArray arrays(halo, [&](const Field& field, auto& buffer, const auto&) {
-    if (std::find(fields.begin(), fields.end(), &field) != fields.end()) part(buffer.data(), std::size_t{1});
+    if (std::find(fields.begin(), fields.end(), &field) == fields.end()) return;
+    part(buffer.data(), std::size_t{1});
+    found.push_back(&field);
   });
   p.describe(scene, arrays);
+  for (const Field* field : fields) {
+    if (field->quad != 0 || std::find(found.begin(), found.end(), field) != found.end()) continue;
+    PackedQuad* const quads_beside = beside ? beside(*field) : nullptr;
+    if (quads_beside == nullptr) {
+      throw std::logic_error(std::string("a body reads the field ") + field->name +
+                             " of neighbours, of which other ranks' particles have no copy: declare its array as halo");
+    }
+    part(quads_beside, std::size_t{1});
+  }
+}
+
+/// Bytes of a particle in such a message.
+template <int Dim, class Device>
+std::size_t halo_bytes(Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
+                       const FieldsBeside& beside = {}) {
+  std::size_t bytes = 0;
+  for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t) { bytes += sizeof(*entries); });
+  return bytes;
 }
 
 /// Packs these fields of the particles `of`.
 template <int Dim, class Device>
 std::vector<std::byte> pack(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
                             const std::vector<const Field*>& fields,
-                            const typename Device::template Buffer<Index>& of) {
+                            const typename Device::template Buffer<Index>& of, const FieldsBeside& beside = {}) {
   std::vector<std::byte> message;
   const auto n = static_cast<Index>(of.size());
-  for_each_halo_part(p, scene, fields, [&](auto* entries, std::size_t stride) {
+  for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t stride) {
     using T = std::remove_cvref_t<decltype(*entries)>;
     typename Device::template Buffer<T> packed;
     packed.resize(n);
@@ -83,10 +111,11 @@ std::vector<std::byte> pack(Device& on, Particles<Device>& p, const Scene<Dim>& 
 /// Unpacks a message of the same fields into the particles `of`.
 template <int Dim, class Device>
 void unpack(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
-            const std::vector<std::byte>& message, const typename Device::template Buffer<Index>& of) {
+            const std::vector<std::byte>& message, const typename Device::template Buffer<Index>& of,
+            const FieldsBeside& beside = {}) {
   std::size_t at = 0;
   const auto n = static_cast<Index>(of.size());
-  for_each_halo_part(p, scene, fields, [&](auto* entries, std::size_t stride) {
+  for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t stride) {
     using T = std::remove_cvref_t<decltype(*entries)>;
     HostBuffer<T> numbers(n);
     std::memcpy(numbers.data(), message.data() + at, n * sizeof(T));

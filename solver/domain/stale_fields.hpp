@@ -31,6 +31,8 @@ class StaleFields : public AccessListener {
  protected:
   /// Brings these fields of the halo up to date.
   virtual void exchange(const std::vector<const Field*>& fields) = 0;
+  /// All fields of the copies are as those they are copies of.
+  void forget_all() { stale_.clear(); }
 
  private:
   [[nodiscard]] bool is_stale(const Field* field) const {

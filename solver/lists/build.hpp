@@ -27,10 +27,10 @@ Index make_entries(Device& on, Particles<Device>& p, const Arrays& arrays, const
 /// A byte a particle for its phase, where a record is a line of the cache.
 template <class Device>
 void mark_phases(Device& on, const Particles<Device>& p, typename Device::template Buffer<std::uint8_t>& phase) {
-  phase.resize(p.count + filter_overrun);
+  phase.resize(p.with_copies() + filter_overrun);
   const Record* records = p.record.data();
   std::uint8_t* to = phase.data();
-  on.for_each(p.count, declare<Reads<field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
+  on.for_each(p.with_copies(), declare<Reads<field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
                 const Record& r = records[i];
                 to[i] = static_cast<std::uint8_t>(is_sediment(r) ? reaches_sediment
                                                   : is_water(r)  ? reaches_water
@@ -83,7 +83,7 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   if (asks_for_phases) mark_phases(on, p, phase);
   const ClusterMarks asked{asks_for_phases ? phase.data() : nullptr, marks.data()};
   const Index total = make_entries<Dim>(on, p, arrays, asked);
-  const Index none = p.count;
+  const Index none = p.with_copies();
   Index* entries = p.list_entries.data();
   on.for_each(2 * list_prefetch, declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index e) { entries[total + e] = none; }));
   choose_clusters(on, p, scene, marks.data());

@@ -24,16 +24,29 @@ bool has_excluded(Device& on, const Particles<Device>& p) {
                    [] HOST_DEVICE(bool a, bool b) { return a || b; });
 }
 
-/// Notes which particles lie in each list cell, block by block, when lists are made.
-template <int Dim, class Device>
-void fill_drift_blocks(Device& on, Particles<Device>& p, const CellTable<Dim>& cells) {
+/// The blocks over the box of occupied list cells. On several ranks they reach into those of the other ranks, whose
+/// displacements this one compares with its own.
+template <int Dim>
+DriftBlocks drift_blocks_over(const CellTable<Dim>& cells, bool shared) {
   DriftBlocks blocks;
   for (int k = 0; k < Dim; ++k) {
     blocks.low[k] = cells.low[k] / 2;
     blocks.extent[k] = (cells.low[k] + cells.extent[k] - 1) / 2 - blocks.low[k] + 1;
     blocks.period[k] = (cells.period[k] + 1) / 2;
     blocks.around[k] = 1 + cells.period[k] % 2;
+    if (!shared) continue;
+    blocks.low[k] -= blocks.around[k];
+    blocks.extent[k] += 2 * blocks.around[k];
+    const bool wraps = blocks.low[k] < 0 || blocks.low[k] + blocks.extent[k] > blocks.period[k];
+    if (blocks.period[k] != 0 && wraps) blocks.low[k] = 0, blocks.extent[k] = blocks.period[k];
   }
+  return blocks;
+}
+
+/// Notes which particles lie in each list cell, block by block, when lists are made.
+template <int Dim, class Device>
+void fill_drift_blocks(Device& on, Particles<Device>& p, const CellTable<Dim>& cells) {
+  const DriftBlocks blocks = drift_blocks_over(cells, on.shared != nullptr);
   constexpr Index parts = 1U << Dim;
   p.drift_blocks = blocks;
   p.drift_of_block.resize(blocks.count());
@@ -51,8 +64,10 @@ void fill_drift_blocks(Device& on, Particles<Device>& p, const CellTable<Dim>& c
                 }
                 const std::int64_t c = is_inside ? cells.number(cell) : -1;
                 DriftCell found{{0, 0}, {0, 0}};
-                for (int s = 0; c >= 0 && s < 2; ++s)
-                  found.begin[s] = cells.begin[s][c], found.end[s] = cells.end[s][c];
+                for (int s = 0; c >= 0 && s < 2; ++s) {
+                  const int own = cells.own(s == 1);
+                  found.begin[s] = cells.begin[own][c], found.end[s] = cells.end[own][c];
+                }
                 to[n] = found;
               }));
 }
@@ -156,6 +171,7 @@ void find_squared_drift(Device& on, Particles<Device>& p, const Scene<Dim>& scen
                 for (Index part = 0; part < parts; ++part) box.add(of_cell[n * parts + part]);
                 of_block[n] = box;
               }));
+  if (on.shared != nullptr) on.shared->merge(blocks, of_block);
   on.reduce_then(
       blocks.count(), 0.0F, NeighbourhoodDrift<Dim>{blocks, of_block},
       [] HOST_DEVICE(float a, float b) { return a > b ? a : b; },

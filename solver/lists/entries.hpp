@@ -59,7 +59,7 @@ struct GroupSearch {
       }
       std::uint8_t reached = 0;
       lists.choose(members, frame.reach2, marks.phase != nullptr, reached);
-      lists.end_list(list.count);
+      lists.end_list(list.none);
       marks.set(list, c, reached);
     }
   }
@@ -82,7 +82,7 @@ struct GroupSearch {
         lists.add(hits);
         if (marks.phase != nullptr) reached |= hits.any(marks.phase);
       });
-      lists.end_list(list.count);
+      lists.end_list(list.none);
       marks.set(list, c, reached);
     }
   }
@@ -110,9 +110,9 @@ struct GroupSearchArrays {
     const auto reach = static_cast<float>(scene.list_reach);
     search = {{cells.table, scene.lattice, reach * reach}, p.record.data(), {}};
     for (int k = 0; k < Dim; ++k) {
-      places[k].resize(p.count + filter_overrun);
+      places[k].resize(p.with_copies() + filter_overrun);
       search.places[k] = places[k].data();
-      on.for_each(p.count, PlaceAlongPass{p.record.data(), axis<Dim>(k), places[k].data()});
+      on.for_each(p.with_copies(), PlaceAlongPass{p.record.data(), axis<Dim>(k), places[k].data()});
     }
   }
 };

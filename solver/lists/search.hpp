@@ -46,7 +46,7 @@ struct ClusterSearch : CellReach<Dim> {
 
   [[nodiscard]] std::int32_t place_of(Index i, int k) const { return records[i].place[axis<Dim>(k)]; }
 
-  /// range(begin, end) for the particles of every occupied cell in reach of some; walls only with sections = 2.
+  /// range(begin, end) for the particles of every occupied cell in reach of some; with sections = 1 fluid, with 2 walls too.
   template <class Range>
   void each_range(const CellExtent<Dim>& extent, int sections, const Range& range) const {
     const CellWindow<Dim> window = this->window_around(extent);
@@ -58,7 +58,8 @@ struct ClusterSearch : CellReach<Dim> {
       float distance2 = gap2[0];
       for (int k = 1; k < Dim; ++k) distance2 += gap2[k];
       const std::int64_t n = distance2 < this->rounding * this->reach2 ? this->table.number(cell) : -1;
-      for (int s = 0; n >= 0 && s < sections; ++s) range(this->table.begin[s][n], this->table.end[s][n]);
+      const int last = sections * this->table.sections / 2;
+      for (int s = 0; n >= 0 && s < last; ++s) range(this->table.begin[s][n], this->table.end[s][n]);
       int k = 0;
       for (; k < Dim && ++cell[k] > window.last[k]; ++k) {
         cell[k] = window.first[k];

@@ -247,7 +247,7 @@ struct WritePass {
                     });
                   });
     team.each([&](Index lane) {
-      if (at + lane < list.begin[cluster + 1]) entries[at + lane] = list.count;
+      if (at + lane < list.begin[cluster + 1]) entries[at + lane] = list.none;
     });
     team.once([&] { marks.set(list, cluster, static_cast<std::uint8_t>(reached)); });
   }

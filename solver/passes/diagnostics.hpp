@@ -24,7 +24,7 @@ Totals sum_totals(Device& on, const Particles<Device>& p, const Scene<Dim>& scen
   const Position* positions = p.position.data();
   const float* inertia = p.inertia();
   return on.reduce(
-      p.fluid_count, Totals{},
+      p.fluid(), Totals{},
       declare<Reads<field::place, field::flow, field::matter, field::position, field::mass, field::loaded_mass>,
               Writes<>>([=] HOST_DEVICE(Index i) {
         Totals t;

@@ -15,7 +15,7 @@ void find_extremes(Device& on, const Particles<Device>& p, StepState* state) {
   const Record* records = p.record.data();
   const Rates* rates = p.rates.data();
   on.reduce_then(
-      p.fluid_count, Extremes{},
+      p.fluid(), Extremes{},
       declare<Reads<field::place, field::flow, field::matter, field::rates>, Writes<>>([=] HOST_DEVICE(Index i) {
         const Record& r = records[i];
         if (r.volume == 0) return Extremes{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -78,7 +79,7 @@ void add_full_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene, P
 
   EachArray keep(checkpointed, [&](const Field& field, auto& buffer, const auto& newborn) {
     using T = std::remove_cvref_t<decltype(newborn)>;
-    const auto entries = on.download(buffer);
+    const auto entries = on.download(buffer, 0, std::min<std::size_t>(buffer.size(), p.count));  // without copies
     if constexpr (std::is_same_v<T, float>) {
       out.scalars[field.name].assign(entries.begin(), entries.end());
     } else {

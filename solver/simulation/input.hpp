@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/backend/ranks.hpp"
 #include "solver/models/all.hpp"
 #include "solver/simulation/simulation.hpp"
 
@@ -22,6 +23,7 @@ struct SimulationInput {
   bool double_pair_sums = false;                 // numerics.precision
   std::shared_ptr<Openings> openings = {};       // of the case (models/openings/make_openings.hpp); null without any
   std::shared_ptr<SurfaceBed> surface_bed = {};  // of the case (models/surface_bed/make_surface_bed.hpp); null without
+  Ranks* ranks = nullptr;                        // that compute the scene together; nullptr: this process alone
   bool stores_coefficients = false;              // on a GPU: keep the viscous pair coefficients (Gpu)
 };
 

@@ -27,6 +27,10 @@ struct SimulationFacts {
   std::string device;  // "OpenMP, AVX-512, 2 threads"
 };
 
+/// Name of a fact of the particle sets of one rank among several: how many of its particles are fluid, and stand first;
+/// -1 where they are not in order yet (shared_simulation.hpp).
+inline constexpr const char* own_fluid_fact = "OwnFluid";
+
 /// A running simulation on some device; the run loop (program/run.hpp) knows it only through this.
 class Simulation {
  public:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -27,8 +28,12 @@ class SimulationOn final : public Simulation {
   SimulationOn(OnDevice device, std::string name, const Scene<Dim>& scene, const ParticleSet& from,
                bool profile = false, const std::vector<WallMotion>& motions = {},
                const std::shared_ptr<Openings>& openings = nullptr,
-               const std::shared_ptr<SurfaceBed>& surface_bed = nullptr)
+               const std::shared_ptr<SurfaceBed>& surface_bed = nullptr, Ranks* ranks = nullptr)
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
+    if constexpr (OnDevice::is_host) {
+      if (ranks != nullptr) share_ = std::make_unique<Share<Dim, OnDevice>>(*ranks);
+      on_.shared = share_.get();
+    }
     if (profile) timing_.wait_with([this] { on_.finish(); });
     load_particles(on_, p_, scene_, from);
     work_.motions = motions;
@@ -44,7 +49,16 @@ class SimulationOn final : public Simulation {
     if (scene_.current.on) load_control(on_, work_, scene_, from);
     if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, from);
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
-    if (listed != from.doubles.end()) restore_lists(on_, p_, scene_, listed->second);
+    if (listed != from.doubles.end()) {
+      restore_lists(on_, p_, scene_, listed->second);
+    } else if (share_ != nullptr) {
+      share_->keep_part(on_, p_, scene_);
+    }
+    if (share_ == nullptr) return;
+    share_->set_beside([this](const Field& field) -> PackedQuad* {
+      if (&field != &thalweg::field::viscous_vectors) return nullptr;
+      return reinterpret_cast<PackedQuad*>(work_.viscous.vectors.data());
+    });
   }
 
   void set_time(double time) override { work_.time = time; }
@@ -100,9 +114,10 @@ class SimulationOn final : public Simulation {
     f.fixed_launches = work_.launches.fixed;
     f.repeated_launches = work_.launches.repeated;
     f.device = name_;
-    if (p_.count == 0) return f;
-    f.list_entries_per_particle = double(p_.list_entries.size()) / p_.count;
-    f.bytes_per_particle = double(bytes_of(p_, scene_, work_)) / p_.count;
+    if (p_.count == 0 && share_ == nullptr) return f;
+    const double n = std::max(1.0, double(p_.count));
+    f.list_entries_per_particle = double(p_.list_entries.size()) / n;
+    f.bytes_per_particle = double(bytes_of(p_, scene_, work_)) / n;
     f.neighbours_mean = mean_neighbours(on_, p_, scene_);
     return f;
   }
@@ -112,8 +127,10 @@ class SimulationOn final : public Simulation {
   std::function<ParticleSet()> begin_snapshot() override {
     const auto arrays = std::make_shared<SnapshotArrays<OnDevice>>();
     gather_snapshot(on_, p_, scene_, nullptr, p_.count, *arrays);
-    return [arrays, later = on_.async_download(), scene = scene_] {
-      return particle_set(scene, *arrays, [&](const auto& buffer) { return later.download(buffer); });
+    return [arrays, later = on_.async_download(), scene = scene_, part = part_of(p_.fluid_count)] {
+      ParticleSet set = particle_set(scene, *arrays, [&](const auto& buffer) { return later.download(buffer); });
+      if (part) set.facts[own_fluid_fact] = {*part};
+      return set;
     };
   }
 
@@ -132,7 +149,13 @@ class SimulationOn final : public Simulation {
     selection.finish();
     SnapshotArrays<OnDevice> arrays;
     gather_snapshot(on_, p_, scene_, chosen.data(), static_cast<Index>(chosen.size()), arrays);
-    return particle_set(scene_, arrays, [&](const auto& buffer) { return on_.download(buffer); });
+    ParticleSet set = particle_set(scene_, arrays, [&](const auto& buffer) { return on_.download(buffer); });
+    if (share_ != nullptr) {
+      const auto indices = on_.download(chosen);
+      const auto fluid = std::lower_bound(indices.begin(), indices.end(), p_.fluid_count) - indices.begin();
+      set.facts[own_fluid_fact] = {*part_of(static_cast<Index>(fluid))};
+    }
+    return set;
   }
 
   ParticleSet full_state() override {
@@ -147,7 +170,14 @@ class SimulationOn final : public Simulation {
   }
 
  private:
+  /// How many particles of a set are fluid, and stand first; -1 before there is an order. Nothing on one rank.
+  [[nodiscard]] std::optional<double> part_of(Index fluid) const {
+    if (share_ == nullptr) return std::nullopt;
+    return p_.has_lists() ? double(fluid) : -1.0;
+  }
+
   OnDevice on_;
+  std::unique_ptr<Share<Dim, OnDevice>> share_;  // on several ranks
   std::string name_;
   Scene<Dim> scene_;
   Particles<OnDevice> p_;

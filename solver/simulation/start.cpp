@@ -21,6 +21,7 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   input.scene = make_scene(of, *input.particles);
   input.threads = options.threads;
   input.profile = options.profile;
+  input.ranks = options.ranks;
   input.motions = make_motions(of);
   input.openings = make_openings(of);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;

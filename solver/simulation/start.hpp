@@ -4,6 +4,7 @@
 #include <string>
 
 #include "case/case.hpp"
+#include "solver/backend/ranks.hpp"
 #include "solver/simulation/simulation.hpp"
 
 namespace thalweg {
@@ -14,6 +15,7 @@ struct StartOptions {
   std::string instruction_set = "auto";  // "avx512", "avx2", "baseline" or "auto"
   int threads = 0;                       // 0: as many as the machine has cores
   bool profile = false;                  // wait for the device after every heading of the timing
+  Ranks* ranks = nullptr;                // that compute the scene together, each calling this; nullptr: one
 };
 
 /// Starts a case from the particles of gencase, or goes on from those of a checkpoint. Throws InputError for what the

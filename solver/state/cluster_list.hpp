@@ -6,6 +6,8 @@ namespace thalweg {
 
 /// Particles per cluster: this many consecutive particles share one neighbour list.
 inline constexpr Index cluster_size = 4;
+/// Sums are added up in blocks of so many particles; where a scene lies on several ranks, each has whole blocks of the fluid.
+inline constexpr Index sum_block = 512;
 /// Lists are padded to a multiple of this with a record of zero volume, so that a sweep needs no remainder loop.
 inline constexpr Index list_padding = 4;
 /// A filter may read so many particles beyond those it is asked about (the widest pack).
@@ -14,9 +16,16 @@ inline constexpr Index filter_overrun = 16;
 /// fill a quarter of the first cache: with 12, sweeps beyond the caches took a fifth longer, with 384 no less.
 inline constexpr Index list_prefetch = 192;
 
+/// The number of particles of the fluid that a device has. A sum over them has the same bits on any number of ranks
+/// (reduce). Over anything else it has if the terms are whole numbers, or if it is a largest or least one.
+struct FluidCount {
+  Index count = 0;
+  operator Index() const { return count; }  // NOLINT(google-explicit-constructor): a count like any other
+};
+
 /// The neighbour lists as a sweep needs them; views, valid until the next rebuild.
 /// Cluster c < fluid_clusters holds particles 4c … of the fluid [0, fluid_count), the others those of the walls
-/// [fluid_count, count). entries[begin[c] … begin[c+1]) are its neighbours, itself included.
+/// [fluid_count, count). entries[begin[c] … begin[c+1]) are its neighbours, itself included; `none` pads them.
 struct ClusterList {
   const Index* begin;
   const Index* entries;
@@ -24,6 +33,7 @@ struct ClusterList {
   Index clusters;
   Index fluid_count;
   Index count;
+  Index none;  // the record of zero volume behind all particles
 
   HOST_DEVICE Index first(Index c) const {
     return c < fluid_clusters ? c * cluster_size : fluid_count + (c - fluid_clusters) * cluster_size;

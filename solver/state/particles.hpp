@@ -5,6 +5,7 @@
 #include "solver/state/arrays.hpp"
 #include "solver/state/cluster_list.hpp"
 #include "solver/state/drift_blocks.hpp"
+#include "solver/state/halo_parts.hpp"
 #include "solver/state/report.hpp"
 
 namespace thalweg {
@@ -28,7 +29,8 @@ struct Rates {
 };
 
 /// The arrays that every scene has, and the neighbour lists over them (lists/). Particles stand in the order of the
-/// lists: fluid first, walls after, one record of zero volume last.
+/// lists: fluid first, walls after; then, where the scene lies on several ranks, copies of particles that other ranks
+/// have; one record of zero volume last.
 template <class Device>
 struct ParticleCore {
   template <class T>
@@ -36,8 +38,9 @@ struct ParticleCore {
 
   Index count = 0;
   Index fluid_count = 0;
+  HaloParts copies;  // behind them, of particles that other ranks have
 
-  Buffer<Record> record;  // count + 1
+  Buffer<Record> record;  // with_copies() + 1
   Buffer<Position> position;
   Buffer<float> mass;         // [kg]
   Buffer<float> loaded_mass;  // [kg] with the grains that water carries; empty where it carries none
@@ -48,7 +51,7 @@ struct ParticleCore {
   Buffer<Role> role;          // empty unless particles are born or die (domain/population.hpp)
 
   // Neighbour lists and the places they were built for.
-  Buffer<Place> listed_at;    // empty: no list yet
+  Buffer<Place> listed_at;
   bool walls_sorted = false;  // here, once: walls that stand still keep their order
   DriftBlocks drift_blocks;
   Buffer<DriftCell> drift_cells;  // those of a block one after the other
@@ -93,8 +96,11 @@ struct ParticleCore {
   [[nodiscard]] float* dissipations() { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] const float* dissipations() const { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] ClusterList list() const {
-    return {list_begin.data(), list_entries.data(), fluid_clusters, clusters, fluid_count, count};
+    return {list_begin.data(), list_entries.data(), fluid_clusters, clusters, fluid_count, count, with_copies()};
   }
+  [[nodiscard]] bool has_lists() const { return list_begin.size() != 0; }
+  [[nodiscard]] FluidCount fluid() const { return {fluid_count}; }
+  [[nodiscard]] Index with_copies() const { return count + copies.count(); }
   [[nodiscard]] ClusterRange all_fluid() const { return {nullptr, fluid_clusters}; }
   [[nodiscard]] ClusterRange near_sediment() const {
     return range(any_resting ? clusters_active : clusters_with_sediment);

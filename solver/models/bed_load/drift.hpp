@@ -90,7 +90,7 @@ struct BedLoadDriftPass {
     const Index cluster = i / cluster_size;
     for (Index entry = list.begin[cluster]; entry < list.begin[cluster + 1]; ++entry) {
       const Index j = list.entries[entry];
-      if (j == list.count || records[j].volume == 0) continue;
+      if (j == list.none || records[j].volume == 0) continue;
       const bool load = records[j].kind == kind::bed_load;
       const bool fixed = is_wall(records[j]) || records[j].kind == kind::deposit || is_resting(records[j]);
       if (!load && !fixed) continue;

@@ -61,7 +61,7 @@ template <int Dim, class Device>
 void control_current(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, const StepState* state,
                      CurrentControl* control) {
   on.reduce_then(
-      p.fluid_count, WaterMotion{}, WaterMotionPass{p.record.data(), p.mass.data(), scene.current.component},
+      p.fluid(), WaterMotion{}, WaterMotionPass{p.record.data(), p.mass.data(), scene.current.component},
       [] HOST_DEVICE(WaterMotion a, const WaterMotion& b) { return a += b; },
       [=] HOST_DEVICE(const WaterMotion& sum) {
         if (sum.mass > 0) *control = after_step(*control, sum.momentum / sum.mass, state->step.dt);

@@ -56,7 +56,7 @@ void add_current_sums(Device& on, const Particles<Device>& p, const Scene<Dim>& 
                       Totals& totals) {
   if (!scene.current.on) return;
   const WaterMotion sum =
-      on.reduce(p.fluid_count, WaterMotion{}, WaterMotionPass{p.record.data(), p.mass.data(), scene.current.component},
+      on.reduce(p.fluid(), WaterMotion{}, WaterMotionPass{p.record.data(), p.mass.data(), scene.current.component},
                 [] HOST_DEVICE(WaterMotion a, const WaterMotion& b) { return a += b; });
   totals.bulk_velocity = sum.mass > 0 ? sum.momentum / sum.mass : 0;
   totals.drive = on.read(work.control.data()).acceleration;

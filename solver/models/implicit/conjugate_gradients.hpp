@@ -183,10 +183,10 @@ void begin_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>& 
   using Kept = typename Device::PairCoefficient;
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
-  if (range.count == 0) return;
+  if (range.count == 0 && on.shared == nullptr) return;  // all ranks take part in the sums
   if constexpr (stored) {
     resize_anew(system.coefficient, p.list_entries.size() * cluster_size);
-    system.vectors.resize(std::size_t{p.count} + 1);
+    system.vectors.resize(std::size_t{p.with_copies()} + 1);
   }
   system.row.resize(p.count);
   Record* records = p.record.data();
@@ -194,7 +194,7 @@ void begin_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>& 
   Sediment* sediment = p.sediment.data();
   const auto vector = iteration_vector<stored>(p, system);
   if constexpr (stored) {  // zero for walls and water far from sediment
-    on.for_each(p.count + 1, declare<Reads<>, VectorField<stored>>([=] HOST_DEVICE(Index i) { vector.from[i] = {}; }));
+    on.for_each(p.with_copies() + 1, declare<Reads<>, VectorField<stored>>([=] HOST_DEVICE(Index i) { vector.from[i] = {}; }));
   }
   // The viscous acceleration of the last step is the best guess for this one.
   for_each_member(on, list, range,
@@ -240,7 +240,7 @@ void iterate_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>
   using Kept = typename Device::PairCoefficient;
   const ClusterList list = p.list();
   const ClusterRange range = p.near_sediment();
-  if (range.count == 0) return;
+  if (range.count == 0 && on.shared == nullptr) return;  // all ranks take part in the sums
   Record* records = p.record.data();
   Row* rows = system.row.data();
   const double tolerance = scene.viscous_tolerance;
@@ -289,7 +289,7 @@ void iterate_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& s
 template <class Device>
 void end_viscous_solve(Device& on, Particles<Device>& p, ViscousSystem<Device>& system, StepState* state) {
   const ClusterRange range = p.near_sediment();
-  if (range.count == 0) return;
+  if (range.count == 0 && on.shared == nullptr) return;  // all ranks take part in the sums
   const auto* rows = system.row.data();
   Record* records = p.record.data();
   Sediment* sediment = p.sediment.data();

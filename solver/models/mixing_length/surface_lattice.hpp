@@ -163,7 +163,7 @@ struct AddBedPass {
     const Index cluster = i / cluster_size;
     for (Index entry = list.begin[cluster]; entry < list.begin[cluster + 1]; ++entry) {
       const Index j = list.entries[entry];
-      if (j == list.count || j == i || records[j].volume == 0) continue;
+      if (j == list.none || j == i || records[j].volume == 0) continue;
       const Vec<Dim, float> r = scene.separation(own.place, records[j].place);
       const float r2 = dot(r, r);
       if (!(r2 < support * support)) continue;

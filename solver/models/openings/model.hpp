@@ -72,7 +72,7 @@ std::vector<double> depths_at_openings(Device& on, const Particles<Device>& p, c
 template <int Dim, class Device>
 double grains_leaving(Device& on, const Particles<Device>& p, const Scene<Dim>& scene, const LeavesThrough& leaving) {
   if (!scene.suspended_load.on) return 0;
-  const double volume = on.reduce(p.fluid_count, 0.0, GrainsLeaving{p.grains.data(), leaving},
+  const double volume = on.reduce(p.fluid(), 0.0, GrainsLeaving{p.grains.data(), leaving},
                                   [] HOST_DEVICE(double a, double b) { return a + b; });
   return volume * double(scene.erosion.grain_density);
 }
@@ -136,7 +136,7 @@ struct OpeningsModel {
       const Zone zone = zones[n];
       const double gravity = -double(step.scene.gravity[C::dimension - 1]);
       step.on.reduce_then(
-          step.p.fluid_count, WaterBeside{}, water_beside(step.p, step.scene, step.work, n, true),
+          step.p.fluid(), WaterBeside{}, water_beside(step.p, step.scene, step.work, n, true),
           [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; },
           [=] HOST_DEVICE(const WaterBeside& sum) {
             *beside =

@@ -104,7 +104,7 @@ struct MayStop {
     bool held = false;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || !in_reach(scene, records[i], records[j])) continue;
+      if (j == list.none || !in_reach(scene, records[i], records[j])) continue;
       const Record& b = records[j];
       if (is_moving_wall(b)) return false;
       if (is_wall(b) || is_resting(b)) {

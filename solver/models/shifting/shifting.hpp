@@ -174,7 +174,7 @@ void shift_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
   const int* const before = on.skip_unless(&state->shifts);
   sweep(on, p, scene, p.all_fluid(), ShiftSweep<Dim>{p.record.data(), p.rates.data(), p.roles(), state, scene});
   on.reduce_then(
-      p.fluid_count, ShiftMomentum{}, ShiftMomentumPass{p.record.data(), p.rates.data(), p.mass.data()},
+      p.fluid(), ShiftMomentum{}, ShiftMomentumPass{p.record.data(), p.rates.data(), p.mass.data()},
       [] HOST_DEVICE(ShiftMomentum a, const ShiftMomentum& b) {
         for (int c = 0; c < 3; ++c) a.momentum[c] += b.momentum[c];
         a.mass += b.mass;

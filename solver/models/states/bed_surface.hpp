@@ -137,7 +137,7 @@ struct NearestWaterPass {
   HOST_DEVICE void operator()(Index i) const {
     if (!is_sediment(records[i]) || !(bed[i].water_share > 0)) return;
     float nearest2 = scene.support() * scene.support();
-    Index nearest = list.count;
+    Index nearest = list.none;
     const Index cluster = i / cluster_size;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
@@ -146,7 +146,7 @@ struct NearestWaterPass {
       const float r2 = dot(r, r);
       if (r2 < nearest2) nearest2 = r2, nearest = j;
     }
-    if (nearest == list.count) return;
+    if (nearest == list.none) return;
     for (int c = 0; c < 3; ++c) bed[i].water_velocity[c] = records[nearest].velocity[c];
     bed[i].water_height = sqrtf(nearest2);
   }

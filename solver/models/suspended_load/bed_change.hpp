@@ -30,7 +30,7 @@ HOST_DEVICE inline double packed_grains(const Scene<Dim>& scene, const Record& r
 }
 
 /// Particle pass: the water that each particle of the bed with too many grains gives them to, the one nearest to it; and
-/// water that is packed, which keeps its own. list.count of all others.
+/// water that is packed, which keeps its own. list.none of all others.
 template <int Dim>
 struct ReceiverPass {
   using neighbours = Neighbours<field::place, field::matter>;
@@ -45,7 +45,7 @@ struct ReceiverPass {
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
-    receiver[i] = list.count;
+    receiver[i] = list.none;
     const Record& r = records[i];
     if (r.volume == 0) return;
     const double packed = packed_grains(scene, r, mass[i]);
@@ -57,7 +57,7 @@ struct ReceiverPass {
     const Index cluster = i / cluster_size;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || records[j].volume == 0 || is_water(records[j]) == water) continue;
+      if (j == list.none || records[j].volume == 0 || is_water(records[j]) == water) continue;
       if (!water && !is_water(records[j])) continue;
       const Vec<Dim, float> to = scene.separation(records[j].place, r.place);
       const float r2 = dot(to, to);
@@ -94,7 +94,7 @@ struct BecomeBedPass {
     const Index cluster = i / cluster_size;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || j >= list.fluid_count || j == i || receiver[j] != i) continue;
+      if (j == list.none || j >= list.fluid_count || j == i || receiver[j] != i) continue;
       received += grains[j];
       becomes_bed = true;
     }
@@ -167,7 +167,7 @@ void change_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   on.for_each(p.fluid_count, declare<typename Become::neighbours, typename Become::reads, typename Become::writes>(
                                  [=] HOST_DEVICE(Index i) { become(i); }));
   on.for_each(p.fluid_count, LeaveBedPass<Dim>{p.record.data(), p.mass.data(), p.type.data(), p.grains.data(),
-                                               p.receiver.data(), list.count, scene});
+                                               p.receiver.data(), list.none, scene});
 }
 
 }  // namespace thalweg

@@ -122,7 +122,7 @@ struct BedSourcePass {
     const Index cluster = i / cluster_size;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || records[j].volume == 0 || !is_water(records[j])) continue;
+      if (j == list.none || records[j].volume == 0 || !is_water(records[j])) continue;
       sum += over_bed(records[j], records[i], bed[i], scene).weight;
     }
     return sum;
@@ -153,7 +153,7 @@ struct BedExchangePass {
     const Index cluster = i / cluster_size;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || records[j].volume == 0) continue;
+      if (j == list.none || records[j].volume == 0) continue;
       if (water && is_sediment(records[j]) && suspended[j].exposed > 0) gain += double(flux(j, i));
       if (!water && is_water(records[j])) gain -= double(flux(i, j));
     }

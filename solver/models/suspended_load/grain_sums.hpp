@@ -14,7 +14,7 @@ void add_grain_sums(Device& on, const Particles<Device>& p, const Scene<Dim>& sc
   const double* grains = p.grains.data();
   const auto density = double(scene.erosion.grain_density);
   totals += on.reduce(
-      p.fluid_count, Totals{},
+      p.fluid(), Totals{},
       declare<Reads<field::place, field::matter, field::mass, field::grains>, Writes<>>([=] HOST_DEVICE(Index i) {
         Totals t;
         const Record& r = records[i];

@@ -51,7 +51,7 @@ struct SurfaceSourcePass {
     const Index cluster = i / cluster_size;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || records[j].volume == 0 || !is_water(records[j])) continue;
+      if (j == list.none || records[j].volume == 0 || !is_water(records[j])) continue;
       in_layer += over_element(records[j], records[i], element, scene).weight;
       const Vec<Dim, float> r = scene.separation(records[j].place, records[i].place);
       in_reach += records[j].volume * scene.kernel.value(scene.kernel.closeness(sqrtf(dot(r, r))));
@@ -112,7 +112,7 @@ struct SurfaceExchangePass {
     const Index cluster = i / cluster_size;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.count || records[j].volume == 0 || is_water(records[j]) == water) continue;
+      if (j == list.none || records[j].volume == 0 || is_water(records[j]) == water) continue;
       const Index bed = water ? j : i;
       if (!(suspended[bed].exposed > 0)) continue;
       const Index wet = water ? i : j;

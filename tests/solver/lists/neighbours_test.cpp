@@ -38,7 +38,7 @@ void expect_complete(const Loaded<Dim, On>& l, double distance) {
   };
   for (Index c = 0; c < list.clusters; ++c) {
     std::multiset<Index> listed(entries.begin() + begin[c], entries.begin() + begin[c + 1]);
-    listed.erase(list.count);
+    listed.erase(list.none);
     for (const Index j : listed) ASSERT_EQ(listed.count(j), 1U) << "cluster " << c << " lists " << j << " twice";
     for (Index i = list.first(c); i < list.last(c); ++i) {
       for (Index j = 0; j < seen.count; ++j) {

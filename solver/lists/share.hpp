@@ -1,0 +1,211 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "solver/backend/ranks.hpp"
+#include "solver/domain/halo.hpp"
+#include "solver/domain/stale_fields.hpp"
+#include "solver/lists/block_exchange.hpp"
+#include "solver/lists/cells_between.hpp"
+#include "solver/lists/cut.hpp"
+
+namespace thalweg {
+
+/// This rank's share of a scene: a range of the global order of the fluid and one of the walls, and copies of the
+/// particles in reach of it that other ranks have. Ranges of the fluid begin at whole blocks of sums, those of the walls at
+/// whole groups of clusters, so that clusters, lists and sums are the same whatever the number of ranks.
+///
+/// Which fields of the copies are exchanged when follows from what bodies declare (StaleFields).
+template <int Dim, class Device>
+class Share final : public SharedScene, public StaleFields {
+ public:
+  explicit Share(Ranks& of) : SharedScene(of), copies_of_(static_cast<std::size_t>(of.size())) {}
+
+  void set_beside(FieldsBeside where) { beside_ = std::move(where); }
+
+  /// Keeps of all particles of a file, in whatever order, a part as large as the others'.
+  void keep_part(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+    const auto from = static_cast<Index>(std::uint64_t{p.count} * rank() / size());
+    const auto to = static_cast<Index>(std::uint64_t{p.count} * (rank() + 1) / size());
+    const auto records = on.download(p.record, from, to);
+    const auto fluid = static_cast<Index>(
+        std::count_if(records.begin(), records.end(), [](const Record& r) { return !is_wall(r); }));
+    keep(on, p, scene, {{from, to}, {to, to}}, fluid);
+  }
+
+  /// Of particles that stand in the order of the lists, all of them on every rank: keeps this rank's range.
+  void keep_range(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+    const auto cut = cut_evenly(p.fluid_count, p.count - p.fluid_count, size());
+    const auto r = static_cast<std::size_t>(rank());
+    first_block = cut.fluid[r] / sum_block;
+    const auto fluid = static_cast<Index>(cut.fluid[r + 1] - cut.fluid[r]);
+    keep(on, p, scene,
+         {{static_cast<Index>(cut.fluid[r]), static_cast<Index>(cut.fluid[r + 1])},
+          {p.fluid_count + static_cast<Index>(cut.walls[r]), p.fluid_count + static_cast<Index>(cut.walls[r + 1])}},
+         fluid);
+  }
+
+  /// Takes the copies away.
+  void drop_copies(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+    on.listener = nullptr;
+    p.copies = {};
+    set_room(on, p, scene, p.count);
+  }
+
+  /// Hands particles over to the ranks in whose ranges they lie now. They are sorted, without copies.
+  void redistribute(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+    const auto records = on.download(p.record, 0, p.count);
+    const neighbours::HilbertKey<Dim> key(records.data(), scene.lattice);
+    SortedKeys keys;
+    for (Index i = 0; i < p.count; ++i) {
+      (i < p.fluid_count ? keys.fluid : keys.walls).push_back(key(i));
+      if (i < p.fluid_count) keys.weight.push_back(weight_of(records[i]));
+    }
+    const Cut cut = cut_by_weight(ranks, keys, key.used_bits());
+    first_block = cut.fluid[static_cast<std::size_t>(rank())] / sum_block;
+    const Handover handover(ranks, keys, cut, key.used_bits());
+    if (!handover.anything_moves()) return;
+    handover.apply(on, p, scene);
+  }
+
+  /// Finds what this rank needs of others and brings it, for the places that the particles have now.
+  void find_copies(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+    on_ = &on, p_ = &p, scene_ = &scene;
+    const neighbours::OwnCells<Dim> own(on, p, scene);
+    const auto near = neighbours::exchange_cells(ranks, own, scene);
+    HaloParts parts;
+    std::vector<Counts> counts(copies_of_.size());
+    copy_.assign(copies_of_.size(), {});
+    std::vector<Bytes> announced(copies_of_.size());
+    for (std::size_t r = 0; r < copies_of_.size(); ++r) {
+      HostBuffer<Index> chosen;
+      if (static_cast<int>(r) != rank()) chosen = own.in_reach_of(near[r], counts[r].fluid);
+      counts[r].walls = static_cast<Index>(chosen.size()) - counts[r].fluid;
+      append_to(announced[r], &counts[r], 1);
+      on.upload(std::move(chosen), copies_of_[r]);
+    }
+    const auto heard = exchange_any(ranks, announced);
+    std::vector<Counts> coming(copies_of_.size());
+    for (std::size_t r = 0; r < coming.size(); ++r) {
+      coming[r] = MessageReader(heard[r]).template number<Counts>();
+      if (static_cast<int>(r) == rank()) coming[r] = {0, 0};
+      (static_cast<int>(r) < rank() ? parts.fluid_before : parts.fluid_behind) += coming[r].fluid;
+      (static_cast<int>(r) < rank() ? parts.walls_before : parts.walls_behind) += coming[r].walls;
+    }
+    Index fluid_at = p.count;
+    Index walls_at = p.count + parts.fluid_before + parts.fluid_behind;
+    for (std::size_t r = 0; r < coming.size(); ++r) {
+      HostBuffer<Index> places;
+      for (Index n = 0; n < coming[r].fluid; ++n) places.push_back(fluid_at++);
+      for (Index n = 0; n < coming[r].walls; ++n) places.push_back(walls_at++);
+      on.upload(std::move(places), copy_[r]);
+    }
+    p.copies = parts;
+    set_room(on, p, scene, p.with_copies());
+    bring_all(on, p, scene);
+    blocks_.start(ranks, own, scene.lattice);
+  }
+
+  /// Exchanges all fields of the copies; from here on those that have become stale.
+  void bring_all(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
+    on.listener = nullptr;
+    std::vector<const Field*> all{&field::place, &field::flow, &field::matter, &every_work};
+    EachArray arrays(halo, [&](const Field& field, auto& buffer, const auto&) {
+      if (buffer.size() == p.with_copies()) all.push_back(&field);
+    });
+    p.describe(scene, arrays);
+    forget_all();
+    exchange(all);
+    on.listener = this;
+  }
+
+  void merge(const DriftBlocks& blocks, DriftBox* of_block) override { blocks_.merge(ranks, blocks, of_block); }
+
+  /// The copies that this rank keeps of others' particles.
+  [[nodiscard]] Index copies() const { return p_ == nullptr ? 0 : p_->copies.count(); }
+
+ protected:
+  void exchange(const std::vector<const Field*>& fields) override {
+    Device& on = *on_;
+    const int* const flag = on.skip_unless(nullptr);  // what is stale was written, even if what follows is skipped
+    AccessListener* const listener = std::exchange(on.listener, nullptr);
+    const auto n = copies_of_.size();
+    std::vector<Bytes> messages(n);
+    std::vector<Bytes> incoming(n);
+    std::vector<std::span<const std::byte>> to(n);
+    std::vector<std::span<std::byte>> from(n);
+    for (std::size_t r = 0; r < n; ++r) {
+      if (copies_of_[r].size() > 0) messages[r] = pack(on, *p_, *scene_, fields, copies_of_[r], beside_);
+      if (copy_[r].size() > 0) incoming[r].resize(copy_[r].size() * halo_bytes(*p_, *scene_, fields, beside_));
+      to[r] = messages[r];
+      from[r] = incoming[r];
+    }
+    ranks.exchange(to, from);
+    for (std::size_t r = 0; r < n; ++r) {
+      if (copy_[r].size() > 0) unpack(on, *p_, *scene_, fields, incoming[r], copy_[r], beside_);
+    }
+    on.listener = listener;
+    on.skip_unless(flag);
+  }
+
+ private:
+  using Range = std::pair<Index, Index>;
+  struct Counts {
+    Index fluid = 0;
+    Index walls = 0;
+  };
+
+  [[nodiscard]] int rank() const { return ranks.rank(); }
+  [[nodiscard]] int size() const { return ranks.size(); }
+
+  /// Keeps the particles of two ranges; `fluid`: how many of them are fluid.
+  void keep(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::pair<Range, Range>& ranges,
+            Index fluid) {
+    HostBuffer<Index> order;
+    for (Index i = ranges.first.first; i < ranges.first.second; ++i) order.push_back(i);
+    for (Index i = ranges.second.first; i < ranges.second.second; ++i) order.push_back(i);
+    const auto kept = static_cast<Index>(order.size());
+    typename Device::template Buffer<Index> on_device;
+    on.upload(std::move(order), on_device);
+    const auto take = [&](auto& buffer) {
+      std::remove_reference_t<decltype(buffer)> spare;
+      on.reorder(buffer, on_device, spare);
+      buffer.resize(kept);
+    };
+    take(p.record);
+    EachArray arrays(sorted, [&](const Field&, auto& buffer, const auto&) { take(buffer); });
+    p.describe(scene, arrays);
+    if (p.listed_at.size() == p.count) take(p.listed_at);
+    p.count = kept;
+    p.fluid_count = fluid;
+    set_room(on, p, scene, kept);
+  }
+
+  /// Gives the record and the arrays of copies room for n particles, with the record of zero volume behind them.
+  void set_room(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Index n) {
+    p.record.resize(std::size_t{n} + 1);
+    on.write(Record{}, p.record.data() + n);
+    EachArray arrays(halo, [&](const Field&, auto& buffer, const auto&) {
+      if (buffer.size() >= p.count) buffer.resize(n);
+    });
+    p.describe(scene, arrays);
+  }
+
+  /// What a particle costs, about (performance of a step by kind).
+  static std::int64_t weight_of(const Record& r) { return is_resting(r) ? 2 : is_sediment(r) ? 23 : 10; }
+
+  /// The work quad, whatever it means.
+  static constexpr Field every_work{"Work", quad_work};
+
+  std::vector<typename Device::template Buffer<Index>> copies_of_;  // of this rank's particles, on each other rank
+  std::vector<typename Device::template Buffer<Index>> copy_;       // this rank's copies of each other rank's
+  neighbours::BlockExchange<Dim> blocks_;
+  FieldsBeside beside_;
+  Device* on_ = nullptr;
+  Particles<Device>* p_ = nullptr;
+  const Scene<Dim>* scene_ = nullptr;
+};
+
+}  // namespace thalweg

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "common/particles.hpp"
+#include "solver/backend/ranks.hpp"
+
+namespace thalweg {
+
+/// A particle set as bytes, without ParticleSet::info, and back.
+Bytes to_message(const ParticleSet& set);
+ParticleSet from_message(const Bytes& message);
+
+/// The sets of all ranks as one rank would have it: the fluid of all, then the walls of all (own_fluid_fact); facts are
+/// those of the first.
+ParticleSet join_sets(const std::vector<ParticleSet>& of_ranks);
+
+}  // namespace thalweg

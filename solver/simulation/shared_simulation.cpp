@@ -1,0 +1,189 @@
+#include "solver/simulation/shared_simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "solver/simulation/particle_messages.hpp"
+
+namespace thalweg {
+namespace {
+
+/// What the first rank asks of the others.
+enum class Request : int { set_time, advance, take_excluded, totals, facts, snapshot, snapshot_within, full_state, end };
+
+constexpr std::size_t root = 0;
+
+/// Brings the particle sets of all ranks to the first.
+ParticleSet gather_set(Ranks& ranks, const ParticleSet& mine) {
+  std::vector<Bytes> to(static_cast<std::size_t>(ranks.size()));
+  if (ranks.rank() != 0) to[root] = to_message(mine);
+  const auto from = exchange_any(ranks, to);
+  if (ranks.rank() != 0) return {};
+  std::vector<ParticleSet> sets{mine};
+  for (std::size_t r = 1; r < from.size(); ++r) sets.push_back(from_message(from[r]));
+  return join_sets(sets);
+}
+
+/// The numbers of the facts that are sums over the ranks, and those that are means over the fluid.
+struct CountedFacts {
+  std::int64_t particles;
+  std::int64_t fluid;
+  double entries;
+  double bytes;
+  double neighbours;
+};
+
+SimulationFacts gather_facts(Ranks& ranks, SimulationFacts facts) {
+  const auto n = static_cast<double>(facts.particles);
+  const CountedFacts mine{facts.particles, facts.fluid_particles, facts.list_entries_per_particle * n,
+                          facts.bytes_per_particle * n,
+                          facts.neighbours_mean * static_cast<double>(facts.fluid_particles)};
+  CountedFacts all{};
+  for (const CountedFacts& f : gather_from(ranks, mine)) {
+    all.particles += f.particles;
+    all.fluid += f.fluid;
+    all.entries += f.entries;
+    all.bytes += f.bytes;
+    all.neighbours += f.neighbours;
+  }
+  facts.particles = all.particles;
+  facts.fluid_particles = all.fluid;
+  if (all.particles > 0) {
+    facts.list_entries_per_particle = all.entries / static_cast<double>(all.particles);
+    facts.bytes_per_particle = all.bytes / static_cast<double>(all.particles);
+  }
+  if (all.fluid > 0) facts.neighbours_mean = all.neighbours / static_cast<double>(all.fluid);
+  facts.device = fmt::format("{} ranks of {}", ranks.size(), facts.device);
+  return facts;
+}
+
+StepReport gather_report(Ranks& ranks, StepReport report) {
+  std::int64_t fluid = report.fluid;
+  ranks.sum(&fluid, 1);
+  report.fluid = fluid;
+  return report;
+}
+
+Bytes message_of(const std::vector<Eigen::AlignedBox3d>& regions) {
+  Bytes message;
+  for (const auto& region : regions) {
+    append_to(message, region.min().data(), 3);
+    append_to(message, region.max().data(), 3);
+  }
+  return message;
+}
+std::vector<Eigen::AlignedBox3d> regions_in(const Bytes& message) {
+  MessageReader reader(message);
+  std::vector<Eigen::AlignedBox3d> regions(message.size() / (6 * sizeof(double)));
+  for (auto& region : regions) {
+    reader.read(region.min().data(), 3);
+    reader.read(region.max().data(), 3);
+  }
+  return regions;
+}
+
+struct Asked {
+  Request request = Request::end;
+  double number = 0;
+};
+
+/// The simulation of the first rank.
+class Leader final : public Simulation {
+ public:
+  Leader(std::unique_ptr<Simulation> share, Ranks& ranks) : share_(std::move(share)), ranks_(ranks) {}
+  ~Leader() override { ask(Request::end); }
+  Leader(const Leader&) = delete;
+  Leader& operator=(const Leader&) = delete;
+
+  void set_time(double time) override {
+    ask(Request::set_time, time);
+    share_->set_time(time);
+  }
+  StepReport advance(double longest) override {
+    ask(Request::advance, longest);
+    return gather_report(ranks_, share_->advance(longest));
+  }
+  std::vector<ExcludedParticle> take_excluded() override {
+    ask(Request::take_excluded);
+    return share_->take_excluded();
+  }
+  Totals totals() override {
+    ask(Request::totals);
+    return share_->totals();
+  }
+  MassLedger ledger() const override { return share_->ledger(); }
+  std::vector<OpeningFlux> openings() const override { return share_->openings(); }
+  std::optional<BedReport> bed() const override { return share_->bed(); }
+  SimulationFacts facts() override {
+    ask(Request::facts);
+    return gather_facts(ranks_, share_->facts());
+  }
+  const Timing& timing() const override { return share_->timing(); }
+  Timing& timing() override { return share_->timing(); }
+
+  ParticleSet snapshot() override {
+    ask(Request::snapshot);
+    return gather_set(ranks_, share_->snapshot());
+  }
+  std::function<ParticleSet()> begin_snapshot() override {
+    return [set = snapshot()] { return set; };
+  }
+  ParticleSet snapshot_within(const std::vector<Eigen::AlignedBox3d>& regions) override {
+    ask(Request::snapshot_within);
+    broadcast(ranks_, message_of(regions));
+    return gather_set(ranks_, share_->snapshot_within(regions));
+  }
+  ParticleSet full_state() override {
+    ask(Request::full_state);
+    return gather_set(ranks_, share_->full_state());
+  }
+
+ private:
+  void ask(Request request, double number = 0) { gather_from(ranks_, Asked{request, number}); }
+
+  std::unique_ptr<Simulation> share_;
+  Ranks& ranks_;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> lead(std::unique_ptr<Simulation> share, Ranks& ranks) {
+  return std::make_unique<Leader>(std::move(share), ranks);
+}
+
+void follow(Simulation& share, Ranks& ranks) {
+  while (true) {
+    const Asked asked = gather_from(ranks, Asked{}).front();
+    switch (asked.request) {
+      case Request::set_time:
+        share.set_time(asked.number);
+        break;
+      case Request::advance:
+        gather_report(ranks, share.advance(asked.number));
+        break;
+      case Request::take_excluded:
+        share.take_excluded();
+        break;
+      case Request::totals:
+        share.totals();
+        break;
+      case Request::facts:
+        gather_facts(ranks, share.facts());
+        break;
+      case Request::snapshot:
+        gather_set(ranks, share.snapshot());
+        break;
+      case Request::snapshot_within:
+        gather_set(ranks, share.snapshot_within(regions_in(broadcast(ranks, {}))));
+        break;
+      case Request::full_state:
+        gather_set(ranks, share.full_state());
+        break;
+      case Request::end:
+        return;
+    }
+  }
+}
+
+}  // namespace thalweg

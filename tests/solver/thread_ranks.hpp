@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <barrier>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include "solver/backend/ranks.hpp"
+
+namespace thalweg::test {
+
+/// Ranks that are threads of the test.
+class ThreadRanks {
+ public:
+  explicit ThreadRanks(int n) : n_(n), barrier_(n), data_(static_cast<std::size_t>(n)) {}
+
+  /// Runs what(ranks) on all ranks at once.
+  void run(const std::function<void(Ranks&)>& what) {
+    std::vector<std::thread> threads;
+    for (int r = 0; r < n_; ++r) {
+      threads.emplace_back([&, r] {
+        One one(*this, r);
+        what(one);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+  }
+
+ private:
+  class One final : public Ranks {
+   public:
+    One(ThreadRanks& all, int r) : all_(all), rank_(r) {}
+    [[nodiscard]] int rank() const override { return rank_; }
+    [[nodiscard]] int size() const override { return all_.n_; }
+
+    void gather(const void* mine, std::size_t bytes, void* to) override {
+      show(mine);
+      for (std::size_t r = 0; r < all_.data_.size(); ++r) {
+        const auto* from = static_cast<const std::byte*>(all_.data_[r]);
+        std::copy_n(from, bytes, static_cast<std::byte*>(to) + r * bytes);
+      }
+      all_.barrier_.arrive_and_wait();
+    }
+    void exchange(const std::vector<std::span<const std::byte>>& to,
+                  const std::vector<std::span<std::byte>>& from) override {
+      show(&to);
+      for (std::size_t r = 0; r < from.size(); ++r) {
+        const auto& theirs = *static_cast<const std::vector<std::span<const std::byte>>*>(all_.data_[r]);
+        const auto& message = theirs[static_cast<std::size_t>(rank_)];
+        if (message.size() != from[r].size()) std::abort();
+        std::copy(message.begin(), message.end(), from[r].begin());
+      }
+      all_.barrier_.arrive_and_wait();
+    }
+    void sum(std::int64_t* numbers, std::size_t n) override {
+      std::vector<std::int64_t> all(n * all_.data_.size());
+      gather(numbers, n * sizeof(std::int64_t), all.data());
+      std::fill_n(numbers, n, 0);
+      for (std::size_t i = 0; i < all.size(); ++i) numbers[i % n] += all[i];
+    }
+    [[noreturn]] void abandon() override { std::abort(); }
+
+   private:
+    void show(const void* what) {
+      all_.data_[static_cast<std::size_t>(rank_)] = what;
+      all_.barrier_.arrive_and_wait();
+    }
+    ThreadRanks& all_;
+    int rank_;
+  };
+
+  int n_;
+  std::barrier<> barrier_;
+  std::vector<const void*> data_;
+};
+
+}  // namespace thalweg::test
