@@ -26,7 +26,10 @@ fs::path program_folder() {
 fs::path shared_file(const std::string& name) { return program_folder().parent_path() / "share" / "thalweg" / name; }
 
 fs::path find_core(const std::string& name) {
-  const std::string file = std::string(core_prefix) + name + std::string(core_suffix);
+  return find_module(std::string(core_prefix) + name + std::string(core_suffix));
+}
+
+fs::path find_module(const std::string& file) {
   for (const fs::path& folder : core_folders()) {
     if (fs::exists(folder / file)) return folder / file;
   }

@@ -17,6 +17,9 @@ std::filesystem::path shared_file(const std::string& name);
 /// The file of core module `name`, beside the program or in ../lib/thalweg of an installed tree; empty if there is none.
 std::filesystem::path find_core(const std::string& name);
 
+/// Another module of the programs' own, in the same places; empty if it is not there.
+std::filesystem::path find_module(const std::string& file);
+
 /// The names of all core modules that are installed, sorted: "cuda", "openmp_avx2", "openmp_avx2_double" …
 std::vector<std::string> installed_cores();
 

@@ -106,7 +106,14 @@ class Gpu {
   }
 
   AccessListener* listener = nullptr;
-  static constexpr SharedScene* shared = nullptr;  // several ranks compute on CPU cores so far
+  // Several ranks compute on CPU cores so far.
+  static constexpr SharedScene* shared = nullptr;
+  static bool any(bool mine) { return mine; }
+  template <class Counters>
+  static void share_sums(const Buffer<Counters>&) {}
+  static void share_marks(const Buffer<std::uint8_t>&) {}
+  template <class T>
+  static void share_changes(const Buffer<T>&, const Buffer<T>&) {}
 
   template <class Body>
   void for_each(Index n, const Body& body) const {

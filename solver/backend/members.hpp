@@ -5,9 +5,17 @@
 // Loops over the particles of some clusters.
 namespace thalweg {
 
+/// The neighbours' fields of a body, if it looks at any.
+template <class Body>
+struct NeighboursOf {};
+template <DeclaresNeighbours Body>
+struct NeighboursOf<Body> {
+  using neighbours = typename Body::neighbours;
+};
+
 /// Calls body(i) for every particle of the clusters in a range.
 template <class Body>
-struct MemberPass {
+struct MemberPass : NeighboursOf<Body> {
   using reads = typename Body::reads;
   using writes = typename Body::writes;
   ClusterList list;
@@ -23,7 +31,7 @@ struct MemberPass {
 
 /// The term of(i) of every such particle; `none` of a place without one.
 template <class Of, class T>
-struct MemberTerm {
+struct MemberTerm : NeighboursOf<Of> {
   using reads = typename Of::reads;
   using writes = typename Of::writes;
   ClusterList list;
@@ -40,7 +48,7 @@ struct MemberTerm {
 
 /// The terms of a cluster's particles together.
 template <class Of, class T, class Combine>
-struct ClusterTerm {
+struct ClusterTerm : NeighboursOf<Of> {
   using reads = typename Of::reads;
   using writes = typename Of::writes;
   ClusterList list;
@@ -58,7 +66,7 @@ struct ClusterTerm {
 template <class Device, class Body>
 void for_each_member(Device& on, const ClusterList& list, ClusterRange range, const Body& body) {
   require_particle_body<Body>();
-  on.for_each(range.count * cluster_size, MemberPass<Body>{list, range, body});
+  on.for_each(range.count * cluster_size, MemberPass<Body>{{}, list, range, body});
 }
 
 /// then() of the sum of of(i) over those particles.
@@ -67,9 +75,9 @@ void reduce_members_then(Device& on, const ClusterList& list, ClusterRange range
                          const Combine& combine, const Then& then) {
   require_particle_body<Of>();
   if constexpr (Device::is_host) {
-    on.reduce_clusters_then(list, range, start, ClusterTerm<Of, T, Combine>{list, of, start, combine}, combine, then);
+    on.reduce_clusters_then(list, range, start, ClusterTerm<Of, T, Combine>{{}, list, of, start, combine}, combine, then);
   } else {
-    on.reduce_then(range.count * cluster_size, start, MemberTerm<Of, T>{list, range, of, start}, combine, then);
+    on.reduce_then(range.count * cluster_size, start, MemberTerm<Of, T>{{}, list, range, of, start}, combine, then);
   }
 }
 

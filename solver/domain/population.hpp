@@ -9,6 +9,7 @@
 #include "common/particles.hpp"
 #include "solver/backend/buffer.hpp"
 #include "solver/backend/device.hpp"
+#include "solver/backend/ranks.hpp"
 #include "solver/state/particles.hpp"
 #include "solver/state/scene.hpp"
 
@@ -65,9 +66,11 @@ class Population {
   template <class Device>
   static void open(Device& on, Particles<Device>& p) {
     if (p.role.size() != p.count) on.fill(p.role, p.count, Role::integrated);
+    p.has_roles = true;
   }
 
-  /// Appends the particles that wait to all arrays; the lists have to be made anew next.
+  /// Appends the particles that wait to all arrays; the lists have to be made anew next. On several ranks, all of which
+  /// know who waits, the last one has them, so that they come after all others as they do on one.
   template <int Dim, class Device>
   void admit(Device& on, Particles<Device>& p, const Scene<Dim>& scene);
 
@@ -156,7 +159,7 @@ template <class Device, class Dies>
 void Population::bury(Device& on, Particles<Device>& p, const Dies& dies) {
   open(on, p);
   ledger_.out +=
-      on.reduce(p.fluid_count, 0.0, Burial<Dies>{p.record.data(), p.rates.data(), p.role.data(), p.mass.data(), dies},
+      on.reduce(p.fluid(), 0.0, Burial<Dies>{p.record.data(), p.rates.data(), p.role.data(), p.mass.data(), dies},
                 [] HOST_DEVICE(double a, double b) { return a + b; });
 }
 
@@ -213,6 +216,8 @@ void Population::admit(Device& on, Particles<Device>& p, const Scene<Dim>& scene
   }
   EachArray grow(sorted,
                  [&](const Field&, auto& buffer, const auto& newborn) { append(on, buffer, before, more, newborn); });
+  waiting_.clear();
+  if (on.shared != nullptr && on.shared->ranks.rank() + 1 != on.shared->ranks.size()) return;
   p.describe(scene, grow);
   write_behind(on, p.record, before, std::move(records));
   write_behind(on, p.position, before, std::move(positions));
@@ -222,7 +227,6 @@ void Population::admit(Device& on, Particles<Device>& p, const Scene<Dim>& scene
   write_behind(on, p.role, before, std::move(roles));
   if (scene.water_has_grains) write_behind(on, p.grains, before, std::move(grains));
   p.count += static_cast<Index>(more);
-  waiting_.clear();
 }
 
 }  // namespace thalweg

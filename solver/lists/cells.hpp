@@ -122,6 +122,7 @@ Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scen
                     }
                     return a;
                   });
+  for (int k = 0; all == 0 && k < Dim; ++k) box.low[k] = 0;  // a rank without particles: no cells
   for (int k = 0; k < Dim; ++k) {
     table.period[k] = lattice.periodic[k] ? lattice.cells[k] : 0;
     table.low[k] = box.low[k];

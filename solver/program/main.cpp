@@ -1,14 +1,32 @@
 #include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "common/command_line.hpp"
 #include "common/console.hpp"
 #include "common/error.hpp"
 #include "common/io/run_results.hpp"
 #include "common/signals.hpp"
+#include "solver/program/join_ranks.hpp"
 #include "solver/program/run.hpp"
 #include "solver/program/warning_sink.hpp"
 
 namespace {
+
+/// The arguments of this program without --ranks.
+std::vector<std::string> without_ranks(int argc, char** argv) {
+  std::vector<std::string> kept;
+  for (int n = 1; n < argc; ++n) {
+    const std::string_view word = argv[n];
+    if (word == "--ranks") {
+      ++n;
+    } else if (!word.starts_with("--ranks=")) {
+      kept.emplace_back(word);
+    }
+  }
+  return kept;
+}
 
 int solver(int argc, char** argv) {
   CLI::App app("Runs the two-phase SPH solver on a folder that thalweg-gencase has filled.", "thalweg-solver");
@@ -23,6 +41,11 @@ int solver(int argc, char** argv) {
   app.add_option("--threads", options.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  int ranks = 0;
+  app.add_option("--ranks", ranks,
+                 "Compute on so many processes, which mpirun starts; each has its share of the particles (docs/ranks.md)")
+      ->check(CLI::Range(1, 65536))
+      ->type_name("N");
   app.add_option("--restart", options.restart,
                  "Continue from this checkpoint; latest: from the run's last whole one, or its start if it has none");
   app.add_option("--restart-anyway", options.restart_anyway,
@@ -40,9 +63,12 @@ int solver(int argc, char** argv) {
   app.add_option("--set", options.overrides,
                  "Change a key of the case, e.g. numerics.cfl=0.2 (numerics, model, output)");
   if (const auto status = thalweg::parse_command_line(app, argc, argv)) return *status;
+  const auto shared = thalweg::join_ranks();
+  if (shared == nullptr && ranks > 1) thalweg::become_ranks(ranks, without_ranks(argc, argv));
+  options.ranks = shared.get();
   thalweg::start_console();
   const auto status = static_cast<int>(thalweg::run_solver(options));
-  thalweg::set_result(thalweg::summary_json({options.folder}));
+  if (shared == nullptr || shared->rank() == 0) thalweg::set_result(thalweg::summary_json({options.folder}));
   return status;
 }
 

@@ -21,6 +21,7 @@
 #include "solver/program/balance.hpp"
 #include "solver/program/diagnosis.hpp"
 #include "solver/program/disk.hpp"
+#include "solver/program/follow_run.hpp"
 #include "solver/program/progress.hpp"
 #include "solver/program/read_run.hpp"
 #include "solver/program/run_output.hpp"
@@ -42,8 +43,7 @@ class Run {
       : case_(from.scene),
         case_text_(case_text(from.scene)),
         clock_{from.particles.info.time, from.particles.info.step},
-        simulation_(start_simulation(from.scene, from.particles,
-                                     {options.backend, options.instruction_set, options.threads, options.profile})),
+        simulation_(start(from, options)),
         output_({options.folder}, lock, info(from.particles)),
         progress_(case_.output.end, clock_.time),
         counts_(from.counts) {
@@ -308,6 +308,8 @@ class Run {
 }  // namespace
 
 Exit run_solver(const RunOptions& options) {
+  if (options.ranks != nullptr && options.ranks->rank() > 0) return follow_run(options);
+  Invitation others(options.ranks);
   const RunFolder folder{options.folder};
   require_filled(folder);
   const RunLock lock(options.folder, "thalweg-solver");
@@ -319,6 +321,7 @@ Exit run_solver(const RunOptions& options) {
   }
   if (fresh) WarningFile(folder, "solver").clear();
   if (options.benchmark == 0) check_disk(start.scene, folder, start.particles);
+  others.send();
   Run run(start, options, lock);
   if (options.benchmark > 0) return run.benchmark(options.benchmark);
   if (stop_signal() != 0) {

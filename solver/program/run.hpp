@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/error.hpp"
+#include "common/ranks.hpp"
 
 namespace thalweg {
 
@@ -22,11 +23,13 @@ struct RunOptions {
   bool force = false;                            // replaces the results that the folder holds
   std::string until;                             // with unit; empty: output.end
   std::vector<std::string> overrides;
+  Ranks* ranks = nullptr;  // that compute the run together, each in a process of its own; nullptr: this one alone
 };
 
 /// Runs the scene of a run folder to its end, writing history, snapshots and checkpoints on the way
 /// (docs/file-formats.md). Returns Exit::done, or 128 + n after signal n, with a checkpoint written.
-/// Throws InputError, RunError; whatever was written before stays whole.
+/// Throws InputError, RunError; whatever was written before stays whole. On several ranks the first writes and speaks; if
+/// one of the others cannot go on, all end.
 Exit run_solver(const RunOptions& options);
 
 }  // namespace thalweg

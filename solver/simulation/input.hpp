@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "solver/backend/ranks.hpp"
+#include "common/ranks.hpp"
 #include "solver/models/all.hpp"
 #include "solver/simulation/simulation.hpp"
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -116,7 +117,16 @@ std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insis
   }
 }
 
-std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, const std::string& instruction_set) {
+/// The best instruction set that the processors of all ranks have: with another one the bits would be others.
+std::string common_instruction_set(Ranks& ranks) {
+  const auto best =
+      std::find_if(openmp_cores.begin(), openmp_cores.end(), [](const Core& core) { return core.runs_here(); });
+  const auto all = gather_from(ranks, best - openmp_cores.begin());
+  return openmp_cores[static_cast<std::size_t>(*std::max_element(all.begin(), all.end()))].instruction_set;
+}
+
+std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, std::string instruction_set) {
+  if (instruction_set == "auto" && input.ranks != nullptr) instruction_set = common_instruction_set(*input.ranks);
   for (const Core& core : openmp_cores) {
     if (instruction_set != "auto" && instruction_set != core.instruction_set) continue;
     const char* precision = input.double_pair_sums ? "_double" : "";

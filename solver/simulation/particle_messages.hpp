@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "common/particles.hpp"
-#include "solver/backend/ranks.hpp"
+#include "common/ranks.hpp"
 
 namespace thalweg {
 

@@ -1,10 +1,10 @@
-#include "solver/simulation/shared_simulation.hpp"
-
+// A simulation whose particles lie on several ranks (start.hpp: lead, follow).
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "solver/simulation/particle_messages.hpp"
+#include "solver/simulation/start.hpp"
 
 namespace thalweg {
 namespace {

@@ -28,7 +28,7 @@ struct SimulationFacts {
 };
 
 /// Name of a fact of the particle sets of one rank among several: how many of its particles are fluid, and stand first;
-/// -1 where they are not in order yet (shared_simulation.hpp).
+/// -1 where they are not in order yet (particle_messages.hpp).
 inline constexpr const char* own_fluid_fact = "OwnFluid";
 
 /// A running simulation on some device; the run loop (program/run.hpp) knows it only through this.

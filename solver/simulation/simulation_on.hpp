@@ -32,7 +32,6 @@ class SimulationOn final : public Simulation {
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
     if constexpr (OnDevice::is_host) {
       if (ranks != nullptr) share_ = std::make_unique<Share<Dim, OnDevice>>(*ranks);
-      on_.shared = share_.get();
     }
     if (profile) timing_.wait_with([this] { on_.finish(); });
     load_particles(on_, p_, scene_, from);
@@ -48,6 +47,7 @@ class SimulationOn final : public Simulation {
     if (scene_.may_rest) load_rest(work_, from);
     if (scene_.current.on) load_control(on_, work_, scene_, from);
     if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, from);
+    if constexpr (OnDevice::is_host) on_.shared = share_.get();  // up to here every rank has all particles
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) {
       restore_lists(on_, p_, scene_, listed->second);

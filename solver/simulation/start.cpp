@@ -1,12 +1,32 @@
 #include "solver/simulation/start.hpp"
 
+#include <algorithm>
+#include <thread>
+
 #include "case/models/surface_bed.hpp"
+#include "common/error.hpp"
 #include "solver/models/moving_walls/make_motions.hpp"
 #include "solver/models/openings/make_openings.hpp"
 #include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "solver/simulation/make_scene.hpp"
 
 namespace thalweg {
+namespace {
+
+/// Refuses what does not run on several ranks yet.
+void check_for_ranks(const AnyScene& scene, const std::string& backend) {
+  if (backend == "cuda") {
+    throw InputError("--backend cuda: several ranks compute on CPU cores so far; use --backend openmp, or one rank");
+  }
+  const bool loads_a_bed = std::visit([](const auto& s) { return s.suspended_load.on && !s.surface_bed.on; }, scene);
+  if (loads_a_bed) {
+    throw InputError(
+        "water that carries grains over a bed of particles runs on one rank so far; leave --ranks out, or choose "
+        "model.sediment = \"surface\"");
+  }
+}
+
+}  // namespace
 
 std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles,
                                              const StartOptions& options) {
@@ -22,6 +42,12 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   input.threads = options.threads;
   input.profile = options.profile;
   input.ranks = options.ranks;
+  if (options.ranks != nullptr) {
+    check_for_ranks(input.scene, options.backend);
+    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+    if (options.threads == 0) input.threads = std::max(1, cores / options.ranks->on_this_machine());
+    return make_simulation(input, "openmp", options.instruction_set);
+  }
   input.motions = make_motions(of);
   input.openings = make_openings(of);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;

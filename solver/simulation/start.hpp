@@ -4,7 +4,7 @@
 #include <string>
 
 #include "case/case.hpp"
-#include "solver/backend/ranks.hpp"
+#include "common/ranks.hpp"
 #include "solver/simulation/simulation.hpp"
 
 namespace thalweg {
@@ -21,6 +21,13 @@ struct StartOptions {
 /// Starts a case from the particles of gencase, or goes on from those of a checkpoint. Throws InputError for what the
 /// solver cannot run (make_scene.hpp) and for a device that cannot be used (input.hpp).
 std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles, const StartOptions& options);
+
+/// A simulation whose particles lie on several ranks: the first rank leads, and what it asks of its simulation the others
+/// do with their shares until it is destroyed. `ranks` outlives it.
+std::unique_ptr<Simulation> lead(std::unique_ptr<Simulation> share, Ranks& ranks);
+
+/// On any other rank: does with its share what the first asks for, until that is done.
+void follow(Simulation& share, Ranks& ranks);
 
 /// Largest speed of the walls among `particles` until the end of the case [m/s]; of an oscillation its peak's.
 double largest_wall_speed(const Case& of, const ParticleSet& particles);

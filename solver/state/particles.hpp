@@ -48,7 +48,8 @@ struct ParticleCore {
   Buffer<std::uint8_t> type;
   Buffer<Rates> rates;
   Buffer<float> dissipation;  // share of the artificial viscosity that acts [-]; empty without its switch
-  Buffer<Role> role;          // empty unless particles are born or die (domain/population.hpp)
+  bool has_roles = false;     // particles are born or die (domain/population.hpp)
+  Buffer<Role> role;          // empty without
 
   // Neighbour lists and the places they were built for.
   Buffer<Place> listed_at;
@@ -85,13 +86,13 @@ struct ParticleCore {
     v.array(field::type, type, sorted, std::uint8_t{0});
     v.array(field::rates, rates, sorted | checkpointed, Rates{});
     if (scene.viscosity_switch) v.array(field::dissipation, dissipation, sorted | checkpointed, 1.0F);
-    if (!role.empty()) v.array(field::role, role, sorted | checkpointed, Role::integrated);
+    if (has_roles) v.array(field::role, role, sorted | checkpointed, Role::integrated);
   }
 
   /// The masses that forces accelerate [kg].
   [[nodiscard]] const float* inertia() const { return loaded_mass.size() == 0 ? mass.data() : loaded_mass.data(); }
   /// nullptr where all particles are integrated.
-  [[nodiscard]] const Role* roles() const { return role.size() == 0 ? nullptr : role.data(); }
+  [[nodiscard]] const Role* roles() const { return has_roles ? role.data() : nullptr; }
   /// nullptr where all of the artificial viscosity acts.
   [[nodiscard]] float* dissipations() { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] const float* dissipations() const { return dissipation.size() == 0 ? nullptr : dissipation.data(); }

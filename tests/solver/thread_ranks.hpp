@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "solver/backend/ranks.hpp"
+#include "common/ranks.hpp"
 
 namespace thalweg::test {
 
@@ -60,6 +60,12 @@ class ThreadRanks {
       std::fill_n(numbers, n, 0);
       for (std::size_t i = 0; i < all.size(); ++i) numbers[i % n] += all[i];
     }
+    void largest(std::uint8_t* numbers, std::size_t n) override {
+      std::vector<std::uint8_t> all(n * all_.data_.size());
+      gather(numbers, n, all.data());
+      for (std::size_t i = 0; i < all.size(); ++i) numbers[i % n] = std::max(numbers[i % n], all[i]);
+    }
+    [[nodiscard]] int on_this_machine() const override { return all_.n_; }
     [[noreturn]] void abandon() override { std::abort(); }
 
    private:

@@ -27,7 +27,7 @@ struct BedArrays {
 
   template <class Scene, class Visitor>
   void describe(const Scene&, Visitor& v) {
-    v.array(field::sediment, sediment, sorted | checkpointed, Sediment{});
+    v.array(field::sediment, sediment, sorted | checkpointed | halo, Sediment{});
     v.shown("StrainRate", sediment, &Sediment::strain_rate);
     v.shown("EffectivePressure", sediment, &Sediment::effective_pressure);
     v.shown("YieldStress", sediment, &Sediment::yield_stress);

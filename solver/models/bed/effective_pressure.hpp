@@ -130,6 +130,8 @@ void weigh_sediment(Device& on, Particles<Device>& p, const Scene<Dim>& scene, C
   on.for_each(p.count, declare<Reads<field::matter, field::position>, Writes<>>([=] HOST_DEVICE(Index i) {
                 if (is_wall(records[i])) mark_walls(i);
               }));
+  on.share_sums(weight.deposited);
+  for (auto* marks : {&weight.wetted, &weight.under_water, &weight.content}) on.share_marks(*marks);
   const double column_area = std::pow(scene.spacing, Dim - 1);
   const auto spacing = static_cast<float>(scene.spacing);
   const auto reach = static_cast<float>(2 * scene.smoothing_length / scene.spacing);

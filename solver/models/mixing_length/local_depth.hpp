@@ -96,6 +96,7 @@ void find_local_depths(Device& on, Particles<Device>& p, const Scene<Dim>& scene
   const Position* positions = p.position.data();
   on.for_each(p.fluid_count,
               FillColumnsPass<Dim, decltype(add)>{p.record.data(), positions, columns, work.filled.data(), add});
+  on.share_sums(work.filled);
   const float* depth = work.depth.data();
   const double depth_per_quantum = 1 / (columns.quanta_per_volume * std::pow(scene.spacing, Dim - 1));
   const int reach = static_cast<int>(std::ceil(2 * scene.smoothing_length / scene.spacing));

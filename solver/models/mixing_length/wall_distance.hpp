@@ -118,6 +118,7 @@ void find_surfaces(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wa
         on, p.list(), p.at_bed_surface(),
         AddBedPass<Dim, decltype(add)>{records, positions, p.list(), scene, surfaces.columns, nodes.data(), add});
   }
+  on.share_sums(nodes);
   const SurfaceNode<Dim>* made = nodes.data();
   Index* nearest = work.nearest.data();
   on.for_each(static_cast<Index>(all), declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index n) {

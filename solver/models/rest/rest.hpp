@@ -167,7 +167,8 @@ void list_active_clusters(Device& on, Particles<Device>& p) {
                    declare<OfOthers, OfMembers, Writes<>>([=] HOST_DEVICE(Index c) { return of.active_in_reach(c); }),
                    p.clusters_of_walls_active);
   selection.finish();
-  p.any_resting = p.clusters_active.size() < p.clusters_with_sediment.size() || p.clusters_part_resting.size() > 0;
+  p.any_resting =
+      on.any(p.clusters_active.size() < p.clusters_with_sediment.size() || p.clusters_part_resting.size() > 0);
 }
 
 /// Wakes the sediment in reach of walls that move, and counts it.

@@ -33,7 +33,7 @@ struct StatesArrays {
 
   template <class Scene, class Visitor>
   void describe(const Scene& scene, Visitor& v) {
-    v.array(field::bed, bed, sorted | checkpointed, BedSurface{});
+    v.array(field::bed, bed, sorted | checkpointed | halo, BedSurface{});
     v.shown("ShieldsNumber", bed, &BedSurface::shear_stress, {.unit = scene.erosion.grain_weight});
     v.shown("CriticalShieldsNumber", bed, &BedSurface::critical_stress, {.unit = scene.erosion.grain_weight});
   }

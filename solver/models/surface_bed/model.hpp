@@ -22,6 +22,9 @@ struct SurfaceBedWork {
   typename Device::template Buffer<BedColumn> bed_columns;
   typename Device::template Buffer<ColumnShear> bed_sums;
   typename Device::template Buffer<double> bed_lifted;  // [m^dim] grains of each column that the water took
+  // On several ranks: the two as all ranks knew them last.
+  typename Device::template Buffer<ColumnShear> shared_bed_sums;
+  typename Device::template Buffer<double> shared_bed_lifted;
   double dt_of_bed = 0;                                 // [s] of the step under way
   bool bed_moved = false;                               // since the lists were made, to a place where it stays
 };
@@ -32,10 +35,27 @@ void upload_bed_columns(Device& on, SurfaceBedWork<Device>& work) {
   on.upload(HostBuffer<BedColumn>(columns.begin(), columns.end()), work.bed_columns);
 }
 
+/// Gives the columns their sums, on every rank those of all.
+template <class Device>
+void set_bed_sums(Device& on, SurfaceBedWork<Device>& work, const HostBuffer<ColumnShear>& sums,
+                  const HostBuffer<double>& lifted) {
+  on.upload(HostBuffer<ColumnShear>(sums), work.bed_sums);
+  on.upload(HostBuffer<double>(lifted), work.bed_lifted);
+  on.upload(HostBuffer<ColumnShear>(sums), work.shared_bed_sums);
+  on.upload(HostBuffer<double>(lifted), work.shared_bed_lifted);
+}
+
 template <class Device>
 void clear_bed_sums(Device& on, SurfaceBedWork<Device>& work) {
-  on.upload(HostBuffer<double>(work.surface_bed->columns().size(), 0.0), work.bed_lifted);
-  on.upload(HostBuffer<ColumnShear>(work.surface_bed->columns().size(), ColumnShear{}), work.bed_sums);
+  const std::size_t n = work.surface_bed->columns().size();
+  set_bed_sums(on, work, HostBuffer<ColumnShear>(n, ColumnShear{}), HostBuffer<double>(n, 0.0));
+}
+
+/// Tells all ranks the sums. Between lists the surface of a column lies on one rank, which alone adds to them.
+template <class Device>
+void share_bed_sums(Device& on, SurfaceBedWork<Device>& work) {
+  on.share_changes(work.bed_sums, work.shared_bed_sums);
+  on.share_changes(work.bed_lifted, work.shared_bed_lifted);
 }
 
 /// The bed's particles stand where the surface is after a share [-] of its way, and move at the rate [1/s] of that share.
@@ -82,6 +102,10 @@ struct SurfaceBedModel {
     return true;
   }
 
+  template <class Device, class Scene, class Workspace>
+  static void before_lists(Device& on, Particles<Device>&, const Scene&, Workspace& work) {
+    share_bed_sums(on, work);
+  }
   template <class C>
   static bool lists_due(C& step) {
     return step.work.new_lists;
@@ -123,6 +147,7 @@ struct SurfaceBedModel {
     SurfaceBed& bed = *step.work.surface_bed;
     const double time = step.work.time + step.now.step.dt;
     if (time < bed.due()) return;
+    share_bed_sums(step.on, step.work);
     const auto lifted = step.on.download(step.work.bed_lifted);
     bed.lift({lifted.begin(), lifted.end()});
     if (bed.is_moving()) {
@@ -170,8 +195,7 @@ void load_surface_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
       lifted[c] = last[3];
     }
   }
-  on.upload(std::move(sums), work.bed_sums);
-  on.upload(std::move(lifted), work.bed_lifted);
+  set_bed_sums(on, work, sums, lifted);
   upload_bed_columns(on, work);
   if (is_new) {
     BedPlace* places = p.bed_place.data();
@@ -191,7 +215,8 @@ void load_surface_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
 
 /// Adds to a checkpoint what load_surface_bed() needs.
 template <class Device>
-void add_surface_bed(Device& on, const SurfaceBedWork<Device>& work, ParticleSet& to) {
+void add_surface_bed(Device& on, SurfaceBedWork<Device>& work, ParticleSet& to) {
+  share_bed_sums(on, work);
   std::vector<double>& numbers = to.facts[surface_bed_fact];
   numbers = work.surface_bed->numbers();
   const auto sums = on.download(work.bed_sums);

@@ -41,7 +41,7 @@ struct WallStressArrays {
 
   template <class Scene, class Visitor>
   void describe(const Scene& scene, Visitor& v) {
-    v.array(field::wall_element, wall_element, sorted | checkpointed, WallElement{});
+    v.array(field::wall_element, wall_element, sorted | checkpointed | halo, WallElement{});
     if (scene.has_moving_walls) v.array(field::wall_normal, wall_normal, sorted, WallNormal{});
     if (scene.keeps_wall_shear) v.array(field::wall_shear, wall_shear, sorted, WallShear{});
   }

@@ -1,0 +1,97 @@
+// The ranks of a run that mpirun (or srun) has started. A module of its own, loaded only where there are several ranks
+// (solver/program/join_ranks.cpp), so that programs run where MPI is not installed.
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "common/ranks.hpp"
+
+namespace thalweg {
+namespace {
+
+/// One message of MPI has at most so many bytes, whose number it keeps in an int.
+constexpr std::size_t most_bytes = std::size_t{1} << 30;
+
+class MpiRanks final : public Ranks {
+ public:
+  MpiRanks() {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    MPI_Comm here = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here);
+    MPI_Comm_size(here, &here_);
+    MPI_Comm_free(&here);
+  }
+  ~MpiRanks() override { MPI_Finalize(); }
+  MpiRanks(const MpiRanks&) = delete;
+  MpiRanks& operator=(const MpiRanks&) = delete;
+
+  [[nodiscard]] int rank() const override { return rank_; }
+  [[nodiscard]] int size() const override { return size_; }
+
+  void gather(const void* mine, std::size_t bytes, void* all) override {
+    if (bytes > most_bytes) throw std::length_error("a rank's part of a gathered array is larger than 1 GiB");
+    const int n = static_cast<int>(bytes);
+    MPI_Allgather(mine, n, MPI_BYTE, all, n, MPI_BYTE, MPI_COMM_WORLD);
+  }
+
+  void exchange(const std::vector<std::span<const std::byte>>& to,
+                const std::vector<std::span<std::byte>>& from) override {
+    requests_.clear();
+    for (int r = 0; r < size_; ++r) {
+      const auto& in = from[static_cast<std::size_t>(r)];
+      if (r == rank_) {
+        const auto& own = to[static_cast<std::size_t>(r)];
+        std::copy(own.begin(), own.end(), in.begin());
+        continue;
+      }
+      for (std::size_t at = 0; at < in.size(); at += most_bytes) {
+        MPI_Irecv(in.data() + at, piece(in.size(), at), MPI_BYTE, r, 0, MPI_COMM_WORLD, &requests_.emplace_back());
+      }
+    }
+    for (int r = 0; r < size_; ++r) {
+      const auto& out = to[static_cast<std::size_t>(r)];
+      for (std::size_t at = 0; r != rank_ && at < out.size(); at += most_bytes) {
+        MPI_Isend(out.data() + at, piece(out.size(), at), MPI_BYTE, r, 0, MPI_COMM_WORLD, &requests_.emplace_back());
+      }
+    }
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  }
+
+  void sum(std::int64_t* numbers, std::size_t n) override { reduce(numbers, n, MPI_INT64_T, MPI_SUM); }
+  void largest(std::uint8_t* numbers, std::size_t n) override { reduce(numbers, n, MPI_UINT8_T, MPI_MAX); }
+
+  [[nodiscard]] int on_this_machine() const override { return here_; }
+
+  [[noreturn]] void abandon() override {
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    std::abort();
+  }
+
+ private:
+  static int piece(std::size_t size, std::size_t at) { return static_cast<int>(std::min(most_bytes, size - at)); }
+
+  template <class T>
+  static void reduce(T* numbers, std::size_t n, MPI_Datatype type, MPI_Op op) {
+    for (std::size_t at = 0; at < n; at += most_bytes / sizeof(T)) {
+      const int count = static_cast<int>(std::min(most_bytes / sizeof(T), n - at));
+      MPI_Allreduce(MPI_IN_PLACE, numbers + at, count, type, op, MPI_COMM_WORLD);
+    }
+  }
+
+  int rank_ = 0;
+  int size_ = 1;
+  int here_ = 1;
+  std::vector<MPI_Request> requests_;
+};
+
+}  // namespace
+}  // namespace thalweg
+
+/// The one symbol of the module; the caller owns the result.
+extern "C" __attribute__((visibility("default"))) thalweg::Ranks* thalweg_join_ranks() {
+  return new thalweg::MpiRanks;
+}

@@ -1,0 +1,75 @@
+#include "solver/program/join_ranks.hpp"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "common/error.hpp"
+#include "common/installation.hpp"
+#include "common/process.hpp"
+
+namespace thalweg {
+namespace {
+
+/// What launchers tell the processes they start: how many there are.
+constexpr std::array<const char*, 3> sizes_in_environment = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE"};
+
+/// Several tasks that srun has started with an interface of MPI's.
+bool is_step_of_slurm() {
+  const char* tasks = getenv("SLURM_STEP_NUM_TASKS");
+  const bool with_mpi = getenv("PMIX_RANK") != nullptr || getenv("PMI_RANK") != nullptr;
+  return tasks != nullptr && std::atoi(tasks) > 1 && with_mpi;
+}
+
+bool is_one_of_several() {
+  for (const char* name : sizes_in_environment) {
+    const char* size = getenv(name);
+    if (size != nullptr && std::atoi(size) > 1) return true;
+  }
+  return is_step_of_slurm();
+}
+
+constexpr const char* mpi_module = "thalweg_ranks_mpi.so";
+constexpr const char* cure =
+    "install OpenMPI (Debian: apt install libopenmpi-dev openmpi-bin) and build again, or run on one rank";
+
+}  // namespace
+
+std::unique_ptr<Ranks> join_ranks() {
+  if (!is_one_of_several()) return nullptr;
+  const auto file = find_module(mpi_module);
+  if (file.empty()) throw RunError(std::string("this build of Thalweg has no MPI; ") + cure);
+  // Global: OpenMPI loads components of its own, which look for its symbols.
+  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
+  if (module == nullptr) throw RunError(std::string("cannot load MPI: ") + dlerror() + "; " + cure);
+  const auto join = reinterpret_cast<Ranks* (*)()>(dlsym(module, "thalweg_join_ranks"));
+  std::unique_ptr<Ranks> ranks(join());
+  return ranks->size() > 1 ? std::move(ranks) : nullptr;
+}
+
+void become_ranks(int ranks, const std::vector<std::string>& arguments) {
+  if (find_module(mpi_module).empty()) throw InputError(std::string("--ranks: this build of Thalweg has no MPI; ") + cure);
+  // OpenMPI's settings; other launchers do not read them. More ranks than cores wait for each other without turning in
+  // circles; ranks are not tied to a core, which their threads would share; after SIGTERM there is time for a checkpoint.
+  setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 0);
+  setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 0);
+  setenv("OMPI_MCA_odls_base_sigkill_timeout", "120", 0);
+  setenv("OMPI_MCA_orte_execute_quiet", "1", 0);
+  if (geteuid() == 0) {  // who runs as root, in a container, has decided so
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 0);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 0);
+  }
+  std::vector<std::string> command{"mpirun", "-n", std::to_string(ranks),
+                                   (program_folder() / "thalweg-solver").string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  try {
+    become(command);
+  } catch (const StartError& error) {
+    if (!error.not_found()) throw;
+    throw InputError(std::string("--ranks: mpirun is not installed; ") + cure);
+  }
+}
+
+}  // namespace thalweg
