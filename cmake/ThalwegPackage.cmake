@@ -21,7 +21,7 @@ set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION
 # The units database is data of libudunits2, which no library names; validate and sweep are Python.
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "libudunits2-data, python3")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox")
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "openfoam, make, g++, ffmpeg")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "openmpi-bin, openfoam, make, g++, ffmpeg")
 set(CPACK_DEBIAN_CUDA_PACKAGE_NAME thalweg-cuda)
 set(CPACK_COMPONENT_CUDA_DESCRIPTION "The solver's core for NVIDIA GPUs, which --backend auto uses where a GPU and its driver are.")
 set(CPACK_DEBIAN_CUDA_PACKAGE_SUGGESTS "nvidia-driver")

@@ -15,6 +15,13 @@ namespace thalweg {
 
 using Bytes = std::vector<std::byte>;
 
+/// What a rank has sent since it began.
+struct Traffic {
+  std::int64_t collectives = 0;  // sums, largest numbers and gatherings of all ranks
+  std::int64_t messages = 0;     // to single ranks
+  std::int64_t bytes = 0;        // of both, of a collective once
+};
+
 /// The ranks of a run. Every function is called by all of them, in the same order.
 class Ranks {
  public:
@@ -34,6 +41,9 @@ class Ranks {
   virtual void sum(std::int64_t* numbers, std::size_t n) = 0;
   /// Replaces n bytes by the largest of all ranks.
   virtual void largest(std::uint8_t* numbers, std::size_t n) = 0;
+  [[nodiscard]] virtual Traffic sent() const = 0;
+  /// Time that this rank has spent in the functions above, mostly waiting for others [s].
+  [[nodiscard]] virtual double waited() const = 0;
   /// How many ranks there are on this machine.
   [[nodiscard]] virtual int on_this_machine() const = 0;
   /// Ends the run on all ranks, now; for a rank that cannot go on.

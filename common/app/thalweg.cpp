@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
   PipelineOptions options;
   std::string backend;
   std::string threads;
+  std::string ranks;
   bool no_foam = false;
   app.add_option("CASE", options.case_path, "Folder with case.toml, or the file")->required();
   app.add_option("--out", options.out, "Folder of the run; default: out/<case name>");
@@ -33,12 +34,14 @@ int run(int argc, char** argv) {
   app.add_option("--backend", backend, "Device of the solver: a GPU if there is one, that, or CPU cores")
       ->type_name("auto|cuda|openmp");
   app.add_option("--threads", threads, "CPU threads of the solver; default: all cores");
+  app.add_option("--ranks", ranks, "Processes of the solver, each with its share of the particles (docs/ranks.md)");
   app.add_flag("--no-foam", no_foam, "Without the mesh model");
   auto* resume = app.add_flag("--resume", options.resume, "Goes on with the run that the folder holds");
   app.add_flag("--force", options.force, "Replaces the run that the folder holds")->excludes(resume);
   if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
   if (!backend.empty()) options.for_solver.insert(options.for_solver.end(), {"--backend", backend});
   if (!threads.empty()) options.for_solver.insert(options.for_solver.end(), {"--threads", threads});
+  if (!ranks.empty()) options.for_solver.insert(options.for_solver.end(), {"--ranks", ranks});
   options.foam = !no_foam;
   return run_pipeline(options);
 }

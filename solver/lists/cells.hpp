@@ -94,6 +94,12 @@ struct Sections {
   }
 };
 
+/// Where the particles of the list cells begin and end, to be written.
+struct SectionEnds {
+  Index* begin[most_sections];
+  Index* end[most_sections];
+};
+
 template <int Dim>
 struct CellBox {
   Vec<Dim, std::int64_t> low, high;
@@ -131,10 +137,7 @@ Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scen
   const std::int64_t n = table.size();
   const Sections sections(p);
   table.sections = sections.number;
-  struct Ends {
-    Index* begin[most_sections];
-    Index* end[most_sections];
-  } to{};
+  SectionEnds to{};
   for (int s = 0; s < sections.number; ++s) {
     on.fill(cells.begin[s], static_cast<std::size_t>(n), Index{0});
     on.fill(cells.end[s], static_cast<std::size_t>(n), Index{0});

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
+#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "solver/backend/ranks.hpp"
@@ -61,6 +64,24 @@ Vec<Dim, std::int64_t> periods_of(const Lattice<Dim>& lattice) {
   return period;
 }
 
+/// what(cell) for a cell and those beside it.
+template <int Dim, class What>
+void for_each_cell_around(std::uint64_t packed, const Vec<Dim, std::int64_t>& period, const What& what) {
+  const auto middle = unpacked_cell<Dim>(packed);
+  int number = 1;
+  for (int k = 0; k < Dim; ++k) number *= 3;
+  for (int n = 0; n < number; ++n) {
+    Vec<Dim, std::int64_t> cell{};
+    bool exists = true;
+    for (int k = 0, rest = n; k < Dim; ++k, rest /= 3) {
+      cell[k] = middle[k] + rest % 3 - 1;
+      if (period[k] != 0) cell[k] = (cell[k] + period[k]) % period[k];
+      exists = exists && cell[k] >= 0;
+    }
+    if (exists) what(packed_cell<Dim>(cell));
+  }
+}
+
 /// Cells of other ranks, of those with fluid and of those with walls.
 struct NearCells {
   std::vector<std::uint64_t> fluid;
@@ -98,9 +119,9 @@ class OwnCells {
     }
   }
 
-  /// This rank's particles in the cells around another's: fluid in reach of any of its cells, of which there are
-  /// `fluid_count`, then walls in reach of its fluid.
-  [[nodiscard]] HostBuffer<Index> in_reach_of(const NearCells& other, Index& fluid_count) const {
+  /// This rank's particles in the cells around another's: fluid beside any of its cells, of which there are `fluid_count`,
+  /// then walls beside its fluid.
+  [[nodiscard]] HostBuffer<Index> beside(const NearCells& other, Index& fluid_count) const {
     HostBuffer<Index> chosen;
     const auto around_fluid = cells_around(other.fluid);
     auto around_all = around_fluid;
@@ -118,19 +139,7 @@ class OwnCells {
     const auto period = periods_of(lattice);
     Set around;
     for (const std::uint64_t packed : cells) {
-      const auto middle = unpacked_cell<Dim>(packed);
-      int neighbours = 1;
-      for (int k = 0; k < Dim; ++k) neighbours *= 3;
-      for (int n = 0; n < neighbours; ++n) {
-        Vec<Dim, std::int64_t> cell{};
-        bool exists = true;
-        for (int k = 0, rest = n; k < Dim; ++k, rest /= 3) {
-          cell[k] = middle[k] + rest % 3 - 1;
-          if (period[k] != 0) cell[k] = (cell[k] + period[k]) % period[k];
-          exists = exists && cell[k] >= 0;
-        }
-        if (exists) around.insert(packed_cell<Dim>(cell));
-      }
+      for_each_cell_around<Dim>(packed, period, [&](std::uint64_t cell) { around.insert(cell); });
     }
     return around;
   }
@@ -176,6 +185,92 @@ std::vector<NearCells> exchange_cells(Ranks& ranks, const OwnCells<Dim>& own, co
     }
   }
   return near;
+}
+
+/// Particles of a rank that lie in cells beside another's: fluid first.
+struct Candidates {
+  HostBuffer<Index> index;
+  Index fluid_count = 0;
+};
+
+/// Of this rank's candidates those in reach of another rank's.
+template <int Dim>
+class InReach {
+ public:
+  using Cell = std::uint64_t;
+
+  /// places: of the other rank's candidates, three numbers each, fluid first.
+  InReach(const Lattice<Dim>& lattice, double reach, const std::vector<std::int32_t>& places, std::size_t fluid)
+      : lattice_(lattice), reach2_(static_cast<float>(rounding * reach * reach)), places_(places), fluid_(fluid) {
+    for (std::size_t n = 0; n < places.size() / 3; ++n) cells_[cell_at(places.data() + 3 * n)].push_back(n);
+  }
+
+  /// True for a place within reach of the other's fluid or, for fluid, of its walls.
+  [[nodiscard]] bool operator()(const std::int32_t* place, bool is_fluid) const {
+    bool found = false;
+    for_each_cell_around<Dim>(cell_at(place), periods_of(lattice_), [&](Cell cell) {
+      const auto beside = cells_.find(cell);
+      if (found || beside == cells_.end()) return;
+      for (const std::size_t n : beside->second) {
+        found = found || ((is_fluid || n < fluid_) && is_near(place, places_.data() + 3 * n));
+      }
+    });
+    return found;
+  }
+
+ private:
+  static constexpr double rounding = 1.001;  // more than that of the search
+
+  [[nodiscard]] Cell cell_at(const std::int32_t* place) const {
+    const auto at = cell_of<Dim>(lattice_, place, 0);
+    Vec<Dim, std::int64_t> cell{};
+    for (int k = 0; k < Dim; ++k) cell[k] = at[k];
+    return packed_cell<Dim>(cell);
+  }
+  [[nodiscard]] bool is_near(const std::int32_t* a, const std::int32_t* b) const {
+    float r2 = 0;
+    for (int k = 0; k < Dim; ++k) {
+      const int c = axis<Dim>(k);
+      const float d = static_cast<float>(Lattice<Dim>::difference(a[c], b[c])) * lattice_.quantum[k];
+      r2 += d * d;
+    }
+    return r2 < reach2_;
+  }
+
+  Lattice<Dim> lattice_;
+  float reach2_;
+  const std::vector<std::int32_t>& places_;
+  std::size_t fluid_;
+  std::unordered_map<Cell, std::vector<std::size_t>> cells_;
+};
+
+/// Keeps of the candidates for each other rank those that are in reach of what it has.
+template <int Dim>
+void keep_those_in_reach(Ranks& ranks, const std::span<const Record> records, const Scene<Dim>& scene,
+                         std::vector<Candidates>& candidates) {
+  std::vector<Bytes> to(candidates.size());
+  for (std::size_t r = 0; r < candidates.size(); ++r) {
+    const std::int64_t fluid = candidates[r].fluid_count;
+    append_to(to[r], &fluid, 1);
+    for (const Index i : candidates[r].index) append_to(to[r], records[i].place, 3);
+  }
+  const auto from = exchange_any(ranks, to);
+  for (std::size_t r = 0; r < candidates.size(); ++r) {
+    MessageReader message(from[r]);
+    const auto fluid = message.template number<std::int64_t>();
+    std::vector<std::int32_t> places((from[r].size() - sizeof(fluid)) / sizeof(std::int32_t));
+    message.read(places.data(), places.size());
+    const InReach<Dim> in_reach(scene.lattice, scene.list_reach, places, static_cast<std::size_t>(fluid));
+    Candidates kept;
+    for (Index n = 0; n < candidates[r].index.size(); ++n) {
+      const Index i = candidates[r].index[n];
+      const bool is_fluid = n < candidates[r].fluid_count;
+      if (!in_reach(records[i].place, is_fluid)) continue;
+      kept.index.push_back(i);
+      kept.fluid_count += is_fluid ? 1 : 0;
+    }
+    candidates[r] = std::move(kept);
+  }
 }
 
 }  // namespace thalweg::neighbours

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "solver/lists/block_exchange.hpp"
 #include "solver/lists/cells_between.hpp"
 #include "solver/lists/cut.hpp"
+#include "solver/lists/pace.hpp"
 
 namespace thalweg {
 
@@ -59,9 +61,12 @@ class Share final : public SharedScene, public StaleFields {
     const auto records = on.download(p.record, 0, p.count);
     const neighbours::HilbertKey<Dim> key(records.data(), scene.lattice);
     SortedKeys keys;
+    double expected = 0;
+    for (Index i = 0; i < p.fluid_count; ++i) expected += cost_of(records[i]) * pace_.factor();
+    pace_.look(ranks, expected);
     for (Index i = 0; i < p.count; ++i) {
       (i < p.fluid_count ? keys.fluid : keys.walls).push_back(key(i));
-      if (i < p.fluid_count) keys.weight.push_back(weight_of(records[i]));
+      if (i < p.fluid_count) keys.weight.push_back(std::llround(100 * cost_of(records[i]) * pace_.factor()));
     }
     const Cut cut = cut_by_weight(ranks, keys, key.used_bits());
     first_block = cut.fluid[static_cast<std::size_t>(rank())] / sum_block;
@@ -76,18 +81,23 @@ class Share final : public SharedScene, public StaleFields {
     const neighbours::OwnCells<Dim> own(on, p, scene);
     const auto near = neighbours::exchange_cells(ranks, own, scene);
     HaloParts parts;
-    std::vector<Counts> counts(copies_of_.size());
-    copy_.assign(copies_of_.size(), {});
-    std::vector<Bytes> announced(copies_of_.size());
-    for (std::size_t r = 0; r < copies_of_.size(); ++r) {
-      HostBuffer<Index> chosen;
-      if (static_cast<int>(r) != rank()) chosen = own.in_reach_of(near[r], counts[r].fluid);
-      counts[r].walls = static_cast<Index>(chosen.size()) - counts[r].fluid;
+    const std::size_t n_ranks = copies_of_.size();
+    std::vector<neighbours::Candidates> needed(n_ranks);
+    for (std::size_t r = 0; r < n_ranks; ++r) {
+      if (static_cast<int>(r) != rank()) needed[r].index = own.beside(near[r], needed[r].fluid_count);
+    }
+    neighbours::keep_those_in_reach<Dim>(ranks, on.download(p.record, 0, p.count), scene, needed);
+    std::vector<Counts> counts(n_ranks);
+    copy_ = std::vector<typename Device::template Buffer<Index>>(n_ranks);
+    std::vector<Bytes> announced(n_ranks);
+    for (std::size_t r = 0; r < n_ranks; ++r) {
+      counts[r].fluid = needed[r].fluid_count;
+      counts[r].walls = static_cast<Index>(needed[r].index.size()) - counts[r].fluid;
       append_to(announced[r], &counts[r], 1);
-      on.upload(std::move(chosen), copies_of_[r]);
+      on.upload(std::move(needed[r].index), copies_of_[r]);
     }
     const auto heard = exchange_any(ranks, announced);
-    std::vector<Counts> coming(copies_of_.size());
+    std::vector<Counts> coming(n_ranks);
     for (std::size_t r = 0; r < coming.size(); ++r) {
       coming[r] = MessageReader(heard[r]).template number<Counts>();
       if (static_cast<int>(r) == rank()) coming[r] = {0, 0};
@@ -123,6 +133,8 @@ class Share final : public SharedScene, public StaleFields {
 
   void merge(const DriftBlocks& blocks, DriftBox* of_block) override { blocks_.merge(ranks, blocks, of_block); }
 
+  /// Time that the slowest rank computes over the mean of all, less 1 [-].
+  [[nodiscard]] double imbalance() const { return pace_.imbalance(); }
   /// The copies that this rank keeps of others' particles.
   [[nodiscard]] Index copies() const { return p_ == nullptr ? 0 : p_->copies.count(); }
 
@@ -193,8 +205,8 @@ class Share final : public SharedScene, public StaleFields {
     p.describe(scene, arrays);
   }
 
-  /// What a particle costs, about (performance of a step by kind).
-  static std::int64_t weight_of(const Record& r) { return is_resting(r) ? 2 : is_sediment(r) ? 23 : 10; }
+  /// What a particle costs a step, about, in terms of a particle of water (docs/ranks.md).
+  static double cost_of(const Record& r) { return is_resting(r) ? 0.2 : is_sediment(r) ? 2.3 : 1; }
 
   /// The work quad, whatever it means.
   static constexpr Field every_work{"Work", quad_work};
@@ -203,6 +215,7 @@ class Share final : public SharedScene, public StaleFields {
   std::vector<typename Device::template Buffer<Index>> copy_;       // this rank's copies of each other rank's
   neighbours::BlockExchange<Dim> blocks_;
   FieldsBeside beside_;
+  Pace pace_;
   Device* on_ = nullptr;
   Particles<Device>* p_ = nullptr;
   const Scene<Dim>* scene_ = nullptr;

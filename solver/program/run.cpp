@@ -269,7 +269,7 @@ class Run {
   [[nodiscard]] RunCounts counts_now() const {
     RunCounts counts = counts_;
     counts.wall_seconds += since_start_.wall();
-    counts.cpu_seconds += since_start_.cpu();
+    counts.cpu_seconds += since_start_.cpu() + simulation_->cpu_seconds_elsewhere();
     return counts;
   }
 

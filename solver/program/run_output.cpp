@@ -231,6 +231,17 @@ void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunC
     row("repeated_launches", fmt::format("{:.3f}", static_cast<double>(facts.repeated_launches) / done), "-");
     row("neighbours_mean", fmt::format("{:.1f}", facts.neighbours_mean), "-");
     row("list_entries_per_particle", fmt::format("{:.1f}", facts.list_entries_per_particle), "-");
+    if (facts.ranks > 1) {
+      row("ranks", fmt::format("{}", facts.ranks), "-");
+      row("copies_per_particle", fmt::format("{:.4f}", facts.copies_per_particle), "-");
+      const auto sent = [&](const char* name, std::int64_t number, const char* unit) {
+        row(name, fmt::format("{:.1f}", static_cast<double>(number) / done), unit);
+      };
+      sent("collectives_per_step", facts.sent.collectives, "-");
+      sent("messages_per_step", facts.sent.messages, "-");
+      sent("sent_bytes_per_step", facts.sent.bytes, "B");
+      row("imbalance", fmt::format("{:.3f}", facts.imbalance), "-");
+    }
     row("bytes_per_particle", fmt::format("{:.0f}", facts.bytes_per_particle), "B");
   });
 }

@@ -117,16 +117,24 @@ std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insis
   }
 }
 
-/// The best instruction set that the processors of all ranks have: with another one the bits would be others.
-std::string common_instruction_set(Ranks& ranks) {
-  const auto best =
-      std::find_if(openmp_cores.begin(), openmp_cores.end(), [](const Core& core) { return core.runs_here(); });
-  const auto all = gather_from(ranks, best - openmp_cores.begin());
-  return openmp_cores[static_cast<std::size_t>(*std::max_element(all.begin(), all.end()))].instruction_set;
+/// The instruction set of all ranks: the best that their processors have, or the one that was named. With different ones
+/// the bits would depend on where a particle lies.
+std::string common_instruction_set(Ranks& ranks, const std::string& asked) {
+  const auto mine = std::find_if(openmp_cores.begin(), openmp_cores.end(), [&](const Core& core) {
+    return asked == "auto" ? core.runs_here() : asked == core.instruction_set;
+  });
+  const auto all = gather_from(ranks, mine - openmp_cores.begin());
+  const auto worst = static_cast<std::size_t>(*std::max_element(all.begin(), all.end()));
+  if (worst == openmp_cores.size()) return asked;  // no such instruction set, which is told below
+  const std::string common = openmp_cores[worst].instruction_set;
+  if (asked != "auto" && asked != common) {
+    throw InputError("--isa " + asked + ": another rank computes with " + common + "; give all ranks the same, or none");
+  }
+  return common;
 }
 
 std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, std::string instruction_set) {
-  if (instruction_set == "auto" && input.ranks != nullptr) instruction_set = common_instruction_set(*input.ranks);
+  if (input.ranks != nullptr) instruction_set = common_instruction_set(*input.ranks, instruction_set);
   for (const Core& core : openmp_cores) {
     if (instruction_set != "auto" && instruction_set != core.instruction_set) continue;
     const char* precision = input.double_pair_sums ? "_double" : "";

@@ -1,6 +1,7 @@
 // A simulation whose particles lie on several ranks (start.hpp: lead, follow).
 #include <fmt/format.h>
 
+#include <ctime>
 #include <utility>
 
 #include "solver/simulation/particle_messages.hpp"
@@ -10,7 +11,18 @@ namespace thalweg {
 namespace {
 
 /// What the first rank asks of the others.
-enum class Request : int { set_time, advance, take_excluded, totals, facts, snapshot, snapshot_within, full_state, end };
+enum class Request : int {
+  set_time,
+  advance,
+  take_excluded,
+  totals,
+  facts,
+  cpu_seconds,
+  snapshot,
+  snapshot_within,
+  full_state,
+  end
+};
 
 constexpr std::size_t root = 0;
 
@@ -31,31 +43,46 @@ struct CountedFacts {
   std::int64_t fluid;
   double entries;
   double bytes;
+  double copies;
   double neighbours;
+  Traffic sent;
 };
 
 SimulationFacts gather_facts(Ranks& ranks, SimulationFacts facts) {
   const auto n = static_cast<double>(facts.particles);
   const CountedFacts mine{facts.particles, facts.fluid_particles, facts.list_entries_per_particle * n,
-                          facts.bytes_per_particle * n,
-                          facts.neighbours_mean * static_cast<double>(facts.fluid_particles)};
+                          facts.bytes_per_particle * n, facts.copies_per_particle * n,
+                          facts.neighbours_mean * static_cast<double>(facts.fluid_particles), ranks.sent()};
   CountedFacts all{};
   for (const CountedFacts& f : gather_from(ranks, mine)) {
     all.particles += f.particles;
     all.fluid += f.fluid;
     all.entries += f.entries;
     all.bytes += f.bytes;
+    all.copies += f.copies;
     all.neighbours += f.neighbours;
+    if (f.sent.bytes >= all.sent.bytes) all.sent = f.sent;
   }
   facts.particles = all.particles;
   facts.fluid_particles = all.fluid;
   if (all.particles > 0) {
     facts.list_entries_per_particle = all.entries / static_cast<double>(all.particles);
     facts.bytes_per_particle = all.bytes / static_cast<double>(all.particles);
+    facts.copies_per_particle = all.copies / static_cast<double>(all.particles);
   }
   if (all.fluid > 0) facts.neighbours_mean = all.neighbours / static_cast<double>(all.fluid);
+  facts.ranks = ranks.size();
+  facts.sent = all.sent;
   facts.device = fmt::format("{} ranks of {}", ranks.size(), facts.device);
   return facts;
+}
+
+/// Processor time of all ranks but the first [s].
+double gather_cpu_seconds(Ranks& ranks) {
+  double sum = 0;
+  const double mine = ranks.rank() == 0 ? 0 : static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  for (const double seconds : gather_from(ranks, mine)) sum += seconds;
+  return sum;
 }
 
 StepReport gather_report(Ranks& ranks, StepReport report) {
@@ -119,6 +146,10 @@ class Leader final : public Simulation {
     ask(Request::facts);
     return gather_facts(ranks_, share_->facts());
   }
+  double cpu_seconds_elsewhere() override {
+    ask(Request::cpu_seconds);
+    return gather_cpu_seconds(ranks_);
+  }
   const Timing& timing() const override { return share_->timing(); }
   Timing& timing() override { return share_->timing(); }
 
@@ -170,6 +201,9 @@ void follow(Simulation& share, Ranks& ranks) {
         break;
       case Request::facts:
         gather_facts(ranks, share.facts());
+        break;
+      case Request::cpu_seconds:
+        gather_cpu_seconds(ranks);
         break;
       case Request::snapshot:
         gather_set(ranks, share.snapshot());

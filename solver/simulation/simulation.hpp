@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/particles.hpp"
+#include "common/ranks.hpp"
 #include "solver/state/report.hpp"
 #include "solver/timing.hpp"
 
@@ -24,6 +25,10 @@ struct SimulationFacts {
   double list_entries_per_particle = 0;  // with skin, sharing and padding
   double neighbours_mean = 0;            // particles within the support of a fluid particle
   double bytes_per_particle = 0;
+  int ranks = 1;
+  double copies_per_particle = 0;  // of particles that other ranks have
+  Traffic sent;                    // by the rank that sent most bytes
+  double imbalance = 0;            // time that the slowest rank computes over the mean of all, less 1 [-]
   std::string device;  // "OpenMP, AVX-512, 2 threads"
 };
 
@@ -51,6 +56,8 @@ class Simulation {
   /// The bed, if it is a surface.
   virtual std::optional<BedReport> bed() const = 0;
   virtual SimulationFacts facts() = 0;
+  /// Processor time of the other ranks since they began [s].
+  virtual double cpu_seconds_elsewhere() { return 0; }
   virtual const Timing& timing() const = 0;
   virtual Timing& timing() = 0;
 

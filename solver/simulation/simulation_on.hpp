@@ -118,6 +118,10 @@ class SimulationOn final : public Simulation {
     const double n = std::max(1.0, double(p_.count));
     f.list_entries_per_particle = double(p_.list_entries.size()) / n;
     f.bytes_per_particle = double(bytes_of(p_, scene_, work_)) / n;
+    if (share_ != nullptr) {
+      f.copies_per_particle = double(share_->copies()) / n;
+      f.imbalance = share_->imbalance();
+    }
     f.neighbours_mean = mean_neighbours(on_, p_, scene_);
     return f;
   }

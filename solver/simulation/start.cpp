@@ -42,15 +42,15 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   input.threads = options.threads;
   input.profile = options.profile;
   input.ranks = options.ranks;
+  input.motions = make_motions(of);
+  input.openings = make_openings(of);
+  input.double_pair_sums = of.numerics.precision == Precision::double_sums;
   if (options.ranks != nullptr) {
     check_for_ranks(input.scene, options.backend);
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());
     if (options.threads == 0) input.threads = std::max(1, cores / options.ranks->on_this_machine());
     return make_simulation(input, "openmp", options.instruction_set);
   }
-  input.motions = make_motions(of);
-  input.openings = make_openings(of);
-  input.double_pair_sums = of.numerics.precision == Precision::double_sums;
   return make_simulation(input, options.backend, options.instruction_set);
 }
 

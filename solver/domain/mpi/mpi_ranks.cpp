@@ -35,11 +35,14 @@ class MpiRanks final : public Ranks {
   void gather(const void* mine, std::size_t bytes, void* all) override {
     if (bytes > most_bytes) throw std::length_error("a rank's part of a gathered array is larger than 1 GiB");
     const int n = static_cast<int>(bytes);
+    const Waiting waiting(waited_);
+    count(1, 0, bytes);
     MPI_Allgather(mine, n, MPI_BYTE, all, n, MPI_BYTE, MPI_COMM_WORLD);
   }
 
   void exchange(const std::vector<std::span<const std::byte>>& to,
                 const std::vector<std::span<std::byte>>& from) override {
+    const Waiting waiting(waited_);
     requests_.clear();
     for (int r = 0; r < size_; ++r) {
       const auto& in = from[static_cast<std::size_t>(r)];
@@ -55,6 +58,7 @@ class MpiRanks final : public Ranks {
     for (int r = 0; r < size_; ++r) {
       const auto& out = to[static_cast<std::size_t>(r)];
       for (std::size_t at = 0; r != rank_ && at < out.size(); at += most_bytes) {
+        count(0, 1, std::min(most_bytes, out.size() - at));
         MPI_Isend(out.data() + at, piece(out.size(), at), MPI_BYTE, r, 0, MPI_COMM_WORLD, &requests_.emplace_back());
       }
     }
@@ -64,6 +68,8 @@ class MpiRanks final : public Ranks {
   void sum(std::int64_t* numbers, std::size_t n) override { reduce(numbers, n, MPI_INT64_T, MPI_SUM); }
   void largest(std::uint8_t* numbers, std::size_t n) override { reduce(numbers, n, MPI_UINT8_T, MPI_MAX); }
 
+  [[nodiscard]] Traffic sent() const override { return sent_; }
+  [[nodiscard]] double waited() const override { return waited_; }
   [[nodiscard]] int on_this_machine() const override { return here_; }
 
   [[noreturn]] void abandon() override {
@@ -72,10 +78,30 @@ class MpiRanks final : public Ranks {
   }
 
  private:
+  void count(int collectives, int messages, std::size_t bytes) {
+    sent_.collectives += collectives;
+    sent_.messages += messages;
+    sent_.bytes += static_cast<std::int64_t>(bytes);
+  }
   static int piece(std::size_t size, std::size_t at) { return static_cast<int>(std::min(most_bytes, size - at)); }
 
+  /// Adds the time that it lives.
+  class Waiting {
+   public:
+    explicit Waiting(double& to) : to_(to) {}
+    ~Waiting() { to_ += MPI_Wtime() - begun_; }
+    Waiting(const Waiting&) = delete;
+    Waiting& operator=(const Waiting&) = delete;
+
+   private:
+    double& to_;
+    double begun_ = MPI_Wtime();
+  };
+
   template <class T>
-  static void reduce(T* numbers, std::size_t n, MPI_Datatype type, MPI_Op op) {
+  void reduce(T* numbers, std::size_t n, MPI_Datatype type, MPI_Op op) {
+    const Waiting waiting(waited_);
+    count(1, 0, n * sizeof(T));
     for (std::size_t at = 0; at < n; at += most_bytes / sizeof(T)) {
       const int count = static_cast<int>(std::min(most_bytes / sizeof(T), n - at));
       MPI_Allreduce(MPI_IN_PLACE, numbers + at, count, type, op, MPI_COMM_WORLD);
@@ -85,6 +111,8 @@ class MpiRanks final : public Ranks {
   int rank_ = 0;
   int size_ = 1;
   int here_ = 1;
+  double waited_ = 0;  // [s]
+  Traffic sent_;
   std::vector<MPI_Request> requests_;
 };
 

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Predicts how a scene runs on many ranks: ranks_model.py [--spacings "20 mm" …]
+
+The partition is counted, not guessed: list cells of a flume in the solver's own order (solver/lists/hilbert.hpp), cut into ranges
+of equal numbers of particles, and for each range the cells of others around it. What a step sends follows from the exchanges
+and collectives that runs report (summary.csv). Times are a sum of computing, latency and bandwidth; the figures they rest on
+are named at the end of the output, the measured ones with their records.
+"""
+
+import argparse
+import math
+import sys
+
+import numpy as np
+
+FLUME = (5.0, 0.5, 0.3)  # [m]
+REACH = 3.3  # of the lists, in spacings: support 3, skin a tenth
+RANKS = (1, 2, 4, 8, 16, 64, 256, 1024, 4096)
+
+# Measured (bench/records/scaling-space.md, docs/ranks.md).
+NS_STEP = {"water": 270.0, "bed": 320.0}  # CPU ns a particle-step, one core, lists and viscous solve apart
+NS_LISTS = {"water": 430.0, "bed": 570.0}  # a particle, each time lists are made
+NS_ITERATION = 50.0  # a particle and viscous iteration
+STEPS_PER_LISTS = 15
+# Counted by the runs of docs/ranks.md: per step without the viscous solve, and per iteration.
+EXCHANGES = {"water": 5, "bed": 12}
+QUADS = {"water": 9, "bed": 22}  # quads of 16 bytes that these carry, of each copy
+COLLECTIVES = {"water": 3, "bed": 9}
+COLLECTIVES_AN_ITERATION = 2
+ITERATIONS = 8
+# Assumed of a cluster.
+LATENCY = 2e-6  # [s] a message between machines
+HOP = 3e-6  # [s] a collective takes for each doubling of the ranks
+BANDWIDTH = 10e9  # [B/s] a rank
+
+
+def hilbert(cells, bits):
+    """The place along the curve of cells, an array of (n, 3): as solver/lists/hilbert.hpp."""
+    x = [cells[:, k].astype(np.uint64) for k in range(3)]
+    one = np.uint64(1)
+    side = one << np.uint64(bits - 1)
+    while side > 1:
+        inside = side - one
+        for k in range(3):
+            is_set = (x[k] & side) != 0
+            swapped = np.where(is_set, np.uint64(0), (x[0] ^ x[k]) & inside)
+            x[0] ^= np.where(is_set, inside, swapped)
+            x[k] ^= swapped
+        side >>= one
+    for k in (1, 2):
+        x[k] ^= x[k - 1]
+    flip = np.zeros_like(x[0])
+    side = one << np.uint64(bits - 1)
+    while side > 1:
+        flip ^= np.where((x[2] & side) != 0, side - one, np.uint64(0))
+        side >>= one
+    code = np.zeros_like(x[0])
+    for bit in range(bits - 1, -1, -1):
+        for k in range(3):
+            code = code << one | ((x[k] ^ flip) >> np.uint64(bit) & one)
+    return code
+
+
+class Partition:
+    """The flume's list cells in their order."""
+
+    def __init__(self, spacing):
+        width = REACH * spacing
+        self.shape = tuple(max(1, math.ceil(length / width)) for length in FLUME)
+        self.particles = round(np.prod([length / spacing for length in FLUME]))
+        self.per_cell = self.particles / np.prod(self.shape)
+        grid = np.stack(np.meshgrid(*(np.arange(n) for n in self.shape), indexing="ij"), axis=-1).reshape(-1, 3)
+        bits = max(int(n - 1).bit_length() for n in self.shape) + 1
+        order = np.argsort(hilbert(grid, bits), kind="stable")
+        self.rank_order = np.empty(len(grid), dtype=np.int64)
+        self.rank_order[order] = np.arange(len(grid))
+
+    def cut(self, ranks):
+        """Of the rank with most copies: copies, and the ranks it exchanges with; and the mean of the copies over the particles."""
+        owner = (self.rank_order * ranks // len(self.rank_order)).reshape(self.shape)
+        number = np.arange(owner.size, dtype=np.int64).reshape(self.shape)
+        pairs, meetings = [], []
+        for offset in np.ndindex(3, 3, 3):
+            here = tuple(slice(max(0, 1 - o), n - max(0, o - 1)) for o, n in zip(offset, self.shape))
+            there = tuple(slice(max(0, o - 1), n - max(0, 1 - o)) for o, n in zip(offset, self.shape))
+            differ = owner[here] != owner[there]
+            if not differ.any():
+                continue
+            pairs.append(np.unique(owner[here][differ] * owner.size + number[there][differ]))
+            meetings.append(np.unique(owner[here][differ] * ranks + owner[there][differ]))
+        if not pairs:
+            return 0, 0, 0.0
+        copies = np.bincount(np.unique(np.concatenate(pairs)) // owner.size, minlength=ranks) * self.per_cell
+        partners = np.bincount(np.unique(np.concatenate(meetings)) // ranks, minlength=ranks)
+        return copies.max(), int(partners.max()), copies.sum() / self.particles
+
+
+def seconds_of_step(kind, particles, copies, partners, ranks):
+    """(computing, exchanges, collectives) [s]"""
+    iterations = ITERATIONS if kind == "bed" else 0
+    computing = particles / ranks * 1e-9 * (NS_STEP[kind] + NS_LISTS[kind] / STEPS_PER_LISTS + iterations * NS_ITERATION)
+    if ranks == 1:
+        return computing, 0.0, 0.0
+    sent = copies * 16 * (QUADS[kind] + iterations) / BANDWIDTH
+    exchanges = (EXCHANGES[kind] + iterations) * partners * LATENCY + sent
+    collectives = (COLLECTIVES[kind] + iterations * COLLECTIVES_AN_ITERATION) * HOP * math.log2(ranks)
+    return computing, exchanges, collectives
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--spacings", nargs="+", type=float, default=[6.3e-3, 2.466e-3, 1.145e-3],
+                        help="of the flume 5 m x 0.5 m x 0.3 m [m]; default: 3, 50 and 500 million particles")
+    parser.add_argument("--most-ranks", type=int, default=RANKS[-1])
+    arguments = parser.parse_args()
+    for spacing in arguments.spacings:
+        partition = Partition(spacing)
+        print(f"\n{partition.particles / 1e6:.0f} million particles, spacing {spacing * 1000:.3g} mm\n")
+        print("| ranks | copies a particle | ranks that one exchanges with, at most | water: ms a step | efficiency "
+              "| bed: ms a step | efficiency |\n|---|---|---|---|---|---|---|")
+        alone = {}
+        for ranks in (r for r in RANKS if r <= arguments.most_ranks):
+            copies, partners, mean = partition.cut(ranks)
+            cells = [f"{ranks}", f"{mean:.3f}", f"{partners}"]
+            for kind in ("water", "bed"):
+                total = sum(seconds_of_step(kind, partition.particles, copies, partners, ranks))
+                alone.setdefault(kind, total)
+                cells += [f"{total * 1000:.3g}", f"{alone[kind] / total / ranks:.2f}"]
+            print("| " + " | ".join(cells) + " |", flush=True)
+    print(f"\nAssumed: {LATENCY * 1e6:g} us a message, {HOP * 1e6:g} us a collective for each doubling of the ranks, "
+          f"{BANDWIDTH / 1e9:g} GB/s a rank, {ITERATIONS} viscous iterations a step, new lists every {STEPS_PER_LISTS} steps, "
+          "one core a rank, all ranks equally loaded, no overlap of computing and exchanging.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
