@@ -15,7 +15,7 @@ namespace thalweg {
 
 using Bytes = std::vector<std::byte>;
 
-/// What a rank has sent since it began.
+/// Counts of what a rank has sent since it began.
 struct Traffic {
   std::int64_t collectives = 0;  // sums, largest numbers and gatherings of all ranks
   std::int64_t messages = 0;     // to single ranks
@@ -44,7 +44,7 @@ class Ranks {
   [[nodiscard]] virtual Traffic sent() const = 0;
   /// Time that this rank has spent in the functions above, mostly waiting for others [s].
   [[nodiscard]] virtual double waited() const = 0;
-  /// How many ranks there are on this machine.
+  /// Number of the ranks on this machine.
   [[nodiscard]] virtual int on_this_machine() const = 0;
   /// Ends the run on all ranks, now; for a rank that cannot go on.
   [[noreturn]] virtual void abandon() = 0;
@@ -80,7 +80,8 @@ inline std::vector<Bytes> exchange_any(Ranks& ranks, const std::vector<Bytes>& t
 /// The bytes of one rank to all.
 inline Bytes broadcast(Ranks& ranks, const Bytes& mine, int root = 0) {
   const auto n = static_cast<std::size_t>(ranks.size());
-  return exchange_any(ranks, std::vector<Bytes>(n, ranks.rank() == root ? mine : Bytes()))[static_cast<std::size_t>(root)];
+  return exchange_any(ranks,
+                      std::vector<Bytes>(n, ranks.rank() == root ? mine : Bytes()))[static_cast<std::size_t>(root)];
 }
 
 /// Adds n numbers to the end of a message.

@@ -21,6 +21,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from study.costs import Cost, fill, solve, write_case  # noqa: E402
 from study.origin import command_line  # noqa: E402
 from thalweg.programs import call  # noqa: E402
+from thalweg.tables import text_rows  # noqa: E402
 from study.record import Record, common_arguments  # noqa: E402
 from study.repeats import Spread, in_turn, ratios  # noqa: E402
 
@@ -171,6 +172,31 @@ def threads(given, record):
                  ["scene", "particles", "ns a particle-step, one", "two", "gain", "processor time of two over one"], rows)
 
 
+def ranks(given, record):
+    """Two ranks beside two threads, and what more ranks than cores can still tell: copies, messages and bytes."""
+    rows, counts = [], []
+    for name, number, with_bed in (("3-D, water", given.thread_particles, False), ("3-D, bed", given.thread_particles, True)):
+        folder = write_case(scene(3, number, with_bed), given.out / f"ranks-{with_bed:d}")
+        run = fill(given.thalweg, folder, folder / "run")
+        many = 2 + max(10, int(given.work / number))
+        threads, two = in_turn({f"{name}, two threads": lambda: measured_steps(given, run, 2, many, 2),
+                                f"{name}, two ranks": lambda: measured_steps(given, run, 2, many, 1, "--ranks", 2)},
+                               given.repeats).values()
+        rows.append([name, two[0].last.fluid, Spread.of(t.wall for t in threads), Spread.of(t.wall for t in two),
+                     ratios((t.wall for t in threads), (t.wall for t in two))])
+        record.figure(f"two ranks beside two threads, {name}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} of their speed")
+        for number_of_ranks in (2, 4, 8):
+            last = solve(given.thalweg, run, "--benchmark", many, "--ranks", number_of_ranks)
+            told = {row["quantity"]: float(row["value"]) for row in text_rows(run / "summary.csv")
+                    if row["quantity"] in ("copies_per_particle", "collectives_per_step", "messages_per_step", "sent_bytes_per_step")}
+            counts.append([name, number_of_ranks, told["copies_per_particle"], told["collectives_per_step"], told["messages_per_step"],
+                           told["sent_bytes_per_step"] / 1e6, last.iterations])
+    record.table("Two threads and two ranks, in turn; by the clock, which needs a machine with nothing else to do",
+                 ["scene", "particles", "ns a particle-step, two threads", "two ranks", "speed of the ranks over that of the threads"], rows)
+    record.table("Counted, of the rank that sends most, lists included", ["scene", "ranks", "copies a particle", "collectives a step",
+                 "messages a step", "MB a step", "viscous iterations a step"], counts)
+
+
 def counted(given, run, steps):
     """Instructions, reads and writes, misses of the first and of the last cache, as valgrind's model of them counts."""
     said = call("valgrind", "--tool=cachegrind", "--cache-sim=yes", f"--LL={LAST_CACHE},16,64",
@@ -209,8 +235,8 @@ def main():
     parser.add_argument("--work", type=float, default=4e6, help="particle-steps of a run, about (default: %(default)g)")
     parser.add_argument("--thread-particles", type=int, default=200000, help="of the 3-D scenes of the part threads")
     parser.add_argument("--traffic-particles", type=int, default=30000, help="of the scenes of the part traffic")
-    parser.add_argument("--part", choices=("space", "plane", "threads", "traffic"),
-                        help="default: all but traffic")
+    parser.add_argument("--part", choices=("space", "plane", "threads", "ranks", "traffic"),
+                        help="default: all but traffic and ranks")
     given = parser.parse_args()
 
     record = Record("scaling" + (f"-{given.part}" if given.part else ""), "Particles and threads",
@@ -224,6 +250,8 @@ def main():
         sizes(given, record, 2, True, up_to(min(1e6, given.largest)))
     if given.part in (None, "threads"):
         threads(given, record)
+    if given.part == "ranks":
+        ranks(given, record)
     if given.part == "traffic":
         traffic(given, record)
     record.write(given.records)

@@ -75,7 +75,8 @@ void reduce_members_then(Device& on, const ClusterList& list, ClusterRange range
                          const Combine& combine, const Then& then) {
   require_particle_body<Of>();
   if constexpr (Device::is_host) {
-    on.reduce_clusters_then(list, range, start, ClusterTerm<Of, T, Combine>{{}, list, of, start, combine}, combine, then);
+    on.reduce_clusters_then(list, range, start, ClusterTerm<Of, T, Combine>{{}, list, of, start, combine}, combine,
+                            then);
   } else {
     on.reduce_then(range.count * cluster_size, start, MemberTerm<Of, T>{{}, list, range, of, start}, combine, then);
   }

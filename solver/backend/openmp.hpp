@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "solver/backend/openmp_lists.hpp"
 #include "solver/backend/openmp_sweep.hpp"
 #include "solver/backend/ranks.hpp"
+#include "solver/backend/shared_on_host.hpp"
 
 namespace thalweg {
 
@@ -25,7 +25,7 @@ void stable_sort_by_key(HostBuffer<std::uint64_t>& key, HostBuffer<Index>& order
 /// computed in Real, float or double, from records that are single either way.
 /// All results are independent of the number of threads, bit for bit.
 template <int W = native_width, class Real = float>
-struct OpenMp {
+struct OpenMp : SharedOnHost {
   /// True: the sweeps of an iteration store the coefficient of every pair. False: they compute it again. Memory is
   /// plentiful here and arithmetic is not; on a GPU its free memory decides.
   static constexpr bool stores_coefficients() { return true; }
@@ -38,7 +38,6 @@ struct OpenMp {
 
   int threads = omp_get_max_threads();
   AccessListener* listener = nullptr;
-  SharedScene* shared = nullptr;  // on several ranks
 
   /// Fewer particles (a few ns each in a particle pass) or clusters (some hundred ns each in a sweep) than these are
   /// not worth waking other threads for: ten to twenty microseconds, more on a busy machine.
@@ -49,46 +48,6 @@ struct OpenMp {
   /// Adds to a counter that several particles may share; integers, so that the sum does not depend on the order.
   static void atomic_add(std::int64_t* counter, std::int64_t amount) {
     __atomic_fetch_add(counter, amount, __ATOMIC_RELAXED);
-  }
-
-  /// True if it is true on any rank.
-  [[nodiscard]] bool any(bool mine) const {
-    if (shared == nullptr) return mine;
-    std::uint8_t found = mine ? 1 : 0;
-    shared->ranks.largest(&found, 1);
-    return found != 0;
-  }
-  /// Adds up over all ranks what each has added to counters in space, or takes the largest of what each has marked there.
-  template <class Counters>
-  void share_sums(Buffer<Counters>& counters) const {
-    static_assert(sizeof(Counters) % sizeof(std::int64_t) == 0, "whole numbers of 64 bits");
-    if (shared == nullptr) return;
-    auto* const numbers = reinterpret_cast<std::int64_t*>(counters.data());
-    shared->ranks.sum(numbers, counters.size() * (sizeof(Counters) / sizeof(std::int64_t)));
-  }
-  void share_marks(Buffer<std::uint8_t>& marks) const {
-    if (shared != nullptr) shared->ranks.largest(marks.data(), marks.size());
-  }
-
-  /// Brings to all ranks what one of them has changed since `before`, which becomes a copy of the result.
-  template <class T>
-  void share_changes(Buffer<T>& now, Buffer<T>& before) const {
-    static_assert(sizeof(T) % sizeof(std::int64_t) == 0 && std::is_trivially_copyable_v<T>);
-    if (shared == nullptr) return;
-    const std::size_t words = now.size() * (sizeof(T) / sizeof(std::int64_t));
-    std::vector<std::uint64_t> old(words);
-    std::vector<std::int64_t> change(words);
-    std::memcpy(old.data(), before.data(), words * sizeof(std::int64_t));
-    std::memcpy(change.data(), now.data(), words * sizeof(std::int64_t));
-    for (std::size_t w = 0; w < words; ++w) {  // differences of their bits, which wrap around
-      change[w] = static_cast<std::int64_t>(static_cast<std::uint64_t>(change[w]) - old[w]);
-    }
-    shared->ranks.sum(change.data(), words);
-    for (std::size_t w = 0; w < words; ++w) {
-      change[w] = static_cast<std::int64_t>(static_cast<std::uint64_t>(change[w]) + old[w]);
-    }
-    std::memcpy(static_cast<void*>(now.data()), change.data(), words * sizeof(std::int64_t));
-    before = now;
   }
 
   /// Moves numbers from the host to the device.

@@ -10,7 +10,7 @@
 #include "common/ranks.hpp"
 #include "solver/state/drift_blocks.hpp"
 
-// What a device does with the other ranks of a run: sums over all of them.
+// Sums over all ranks of a run.
 namespace thalweg {
 
 /// The part that a device has in a scene of several ranks; nullptr where there is one.

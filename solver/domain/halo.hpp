@@ -92,8 +92,8 @@ std::size_t halo_bytes(Particles<Device>& p, const Scene<Dim>& scene, const std:
 /// Packs these fields of the particles `of`.
 template <int Dim, class Device>
 std::vector<std::byte> pack(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
-                            const std::vector<const Field*>& fields,
-                            const typename Device::template Buffer<Index>& of, const FieldsBeside& beside = {}) {
+                            const std::vector<const Field*>& fields, const typename Device::template Buffer<Index>& of,
+                            const FieldsBeside& beside = {}) {
   std::vector<std::byte> message;
   const auto n = static_cast<Index>(of.size());
   for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t stride) {

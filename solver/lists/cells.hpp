@@ -80,9 +80,9 @@ struct Sections {
       return;
     }
     number = 6;
-    const Index all[6][2] = {{behind[0], h.fluid_before},       {0, p.fluid_count},
-                             {behind[1], h.fluid_behind},       {walls_behind[0], h.walls_before},
-                             {p.fluid_count, walls},            {walls_behind[1], h.walls_behind}};
+    const Index all[6][2] = {{behind[0], h.fluid_before}, {0, p.fluid_count},
+                             {behind[1], h.fluid_behind}, {walls_behind[0], h.walls_before},
+                             {p.fluid_count, walls},      {walls_behind[1], h.walls_behind}};
     for (int s = 0; s < 6; ++s) from[s] = all[s][0], count[s] = all[s][1];
   }
 
@@ -94,7 +94,7 @@ struct Sections {
   }
 };
 
-/// Where the particles of the list cells begin and end, to be written.
+/// Begins and ends of the list cells, to be written.
 struct SectionEnds {
   Index* begin[most_sections];
   Index* end[most_sections];
@@ -116,18 +116,18 @@ Cells<Dim, Device> fill_cells(Device& on, const Particles<Device>& p, const Scen
   for (int k = 0; k < Dim; ++k) box.low[k] = INT64_MAX, box.high[k] = -1;
   const Index all = p.with_copies();
   box = on.reduce_here(all, box, declare<Reads<field::place>, Writes<>>([=] HOST_DEVICE(Index i) {
-                    Box b{};
-                    const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
-                    for (int k = 0; k < Dim; ++k) b.low[k] = b.high[k] = cell[k];
-                    return b;
-                  }),
-                  [] HOST_DEVICE(Box a, const Box& b) {
-                    for (int k = 0; k < Dim; ++k) {
-                      a.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
-                      a.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
-                    }
-                    return a;
-                  });
+                         Box b{};
+                         const auto cell = cell_of<Dim>(lattice, records[i].place, 0);
+                         for (int k = 0; k < Dim; ++k) b.low[k] = b.high[k] = cell[k];
+                         return b;
+                       }),
+                       [] HOST_DEVICE(Box a, const Box& b) {
+                         for (int k = 0; k < Dim; ++k) {
+                           a.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
+                           a.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
+                         }
+                         return a;
+                       });
   for (int k = 0; all == 0 && k < Dim; ++k) box.low[k] = 0;  // a rank without particles: no cells
   for (int k = 0; k < Dim; ++k) {
     table.period[k] = lattice.periodic[k] ? lattice.cells[k] : 0;

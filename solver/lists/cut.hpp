@@ -18,8 +18,8 @@ struct SortedKeys {
   std::vector<std::int64_t> weight;
 };
 
-/// Where the ranks' ranges begin in the global order of the fluid and in that of the walls, and where the last ends:
-/// one more than there are ranks.
+/// Begins of the ranks' ranges in the global order of the fluid and in that of the walls, and the end of the last: one
+/// more than there are ranks.
 struct Cut {
   std::vector<std::int64_t> fluid;
   std::vector<std::int64_t> walls;
@@ -77,7 +77,8 @@ inline Cut cut_by_weight(Ranks& ranks, const SortedKeys& keys, int bits) {
   });
   const std::size_t n = split.size();
   std::vector<std::int64_t> counts(2 * n);
-  const std::uint64_t behind_fluid = std::uint64_t{1} << (bits - 2);  // the bit that parts walls from fluid (HilbertKey)
+  const std::uint64_t behind_fluid = std::uint64_t{1}
+                                     << (bits - 2);  // the bit that parts walls from fluid (HilbertKey)
   for (std::size_t t = 0; t < n; ++t) {
     counts[t] = count_below(keys.fluid, split[t]);
     counts[n + t] = count_below(keys.walls, split[t] | behind_fluid);
@@ -94,8 +95,8 @@ inline Cut cut_by_weight(Ranks& ranks, const SortedKeys& keys, int bits) {
   return cut;
 }
 
-/// Where this rank's ascending keys are cut so that the rank's ranges begin at given positions of the global order. Equal
-/// keys stand in the order of the ranks that have them.
+/// Cuts of this rank's ascending keys, so that the ranks' ranges begin at given positions of the global order. Equal keys
+/// stand in the order of the ranks that have them.
 inline std::vector<Index> cut_here(Ranks& ranks, const std::vector<std::uint64_t>& keys,
                                    const std::vector<std::int64_t>& positions, int bits) {
   const std::vector<std::int64_t> inner(positions.begin() + 1, positions.end() - 1);

@@ -8,8 +8,8 @@
 
 namespace thalweg {
 
-/// How much time a particle of this rank takes, against what its kind makes one expect and against the other ranks. The
-/// shares are cut by it; results do not depend on where they are.
+/// Time that a particle of this rank takes, against what its kind makes one expect and against the other ranks. The shares
+/// are cut by it; results do not depend on where they are.
 class Pace {
  public:
   /// [-]

@@ -32,8 +32,8 @@ class Share final : public SharedScene, public StaleFields {
     const auto from = static_cast<Index>(std::uint64_t{p.count} * rank() / size());
     const auto to = static_cast<Index>(std::uint64_t{p.count} * (rank() + 1) / size());
     const auto records = on.download(p.record, from, to);
-    const auto fluid = static_cast<Index>(
-        std::count_if(records.begin(), records.end(), [](const Record& r) { return !is_wall(r); }));
+    const auto fluid =
+        static_cast<Index>(std::count_if(records.begin(), records.end(), [](const Record& r) { return !is_wall(r); }));
     keep(on, p, scene, {{from, to}, {to, to}}, fluid);
   }
 
@@ -205,7 +205,7 @@ class Share final : public SharedScene, public StaleFields {
     p.describe(scene, arrays);
   }
 
-  /// What a particle costs a step, about, in terms of a particle of water (docs/ranks.md).
+  /// Cost of a particle in a step, about, in terms of a particle of water (docs/ranks.md).
   static double cost_of(const Record& r) { return is_resting(r) ? 0.2 : is_sediment(r) ? 2.3 : 1; }
 
   /// The work quad, whatever it means.

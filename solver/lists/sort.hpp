@@ -37,13 +37,13 @@ Census take_census(Device& on, const Particles<Device>& p) {
   const Record* records = p.record.data();
   const Gone gone{records, p.type.data()};
   return on.reduce_here(p.count, Census{},
-                   declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
-                     if (gone(i)) return Census{};
-                     return Census{1, is_wall(records[i]) ? Index{0} : Index{1}};
-                   }),
-                   [] HOST_DEVICE(Census a, const Census& b) {
-                     return Census{a.kept + b.kept, a.fluid + b.fluid};
-                   });
+                        declare<Reads<field::place, field::matter, field::type>, Writes<>>([=] HOST_DEVICE(Index i) {
+                          if (gone(i)) return Census{};
+                          return Census{1, is_wall(records[i]) ? Index{0} : Index{1}};
+                        }),
+                        [] HOST_DEVICE(Census a, const Census& b) {
+                          return Census{a.kept + b.kept, a.fluid + b.fluid};
+                        });
 }
 
 /// True if the walls stand where they stood when they were sorted last, behind the same fluid particles.
@@ -82,9 +82,9 @@ template <int Dim, class Device>
 bool are_in_order(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
   const HilbertKey<Dim> key(p.record.data(), scene.lattice);
   return on.reduce_here(p.count, true,
-                   declare<Neighbours<field::place, field::matter>, Reads<>, Writes<>>(
-                       [=] HOST_DEVICE(Index i) { return i == 0 || key(i - 1) <= key(i); }),
-                   [] HOST_DEVICE(bool a, bool b) { return a && b; });
+                        declare<Neighbours<field::place, field::matter>, Reads<>, Writes<>>(
+                            [=] HOST_DEVICE(Index i) { return i == 0 || key(i - 1) <= key(i); }),
+                        [] HOST_DEVICE(bool a, bool b) { return a && b; });
 }
 
 /// The new order of the first n particles: all of them, or the fluid.

@@ -45,13 +45,8 @@ Exit follow_run(const RunOptions& options) {
     std::fprintf(stderr, "error: rank %d: %s\n", ranks.rank(), error.what());
     ranks.abandon();
   }
-  try {
-    gather_from(ranks, 1);
-    follow(*share, ranks);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: rank %d: %s; the run ends, its last checkpoint is whole\n", ranks.rank(), error.what());
-    ranks.abandon();
-  }
+  gather_from(ranks, 1);
+  follow(*share, ranks);
   return Exit::done;
 }
 

@@ -13,7 +13,7 @@
 namespace thalweg {
 namespace {
 
-/// What launchers tell the processes they start: how many there are.
+/// Launchers tell the processes they start how many there are.
 constexpr std::array<const char*, 3> sizes_in_environment = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE"};
 
 /// Several tasks that srun has started with an interface of MPI's.
@@ -50,7 +50,8 @@ std::unique_ptr<Ranks> join_ranks() {
 }
 
 void become_ranks(int ranks, const std::vector<std::string>& arguments) {
-  if (find_module(mpi_module).empty()) throw InputError(std::string("--ranks: this build of Thalweg has no MPI; ") + cure);
+  if (find_module(mpi_module).empty())
+    throw InputError(std::string("--ranks: this build of Thalweg has no MPI; ") + cure);
   // OpenMPI's settings; other launchers do not read them. More ranks than cores wait for each other without turning in
   // circles; ranks are not tied to a core, which their threads would share; after SIGTERM there is time for a checkpoint.
   setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 0);

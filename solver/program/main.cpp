@@ -42,8 +42,9 @@ int solver(int argc, char** argv) {
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   int ranks = 0;
-  app.add_option("--ranks", ranks,
-                 "Compute on so many processes, which mpirun starts; each has its share of the particles (docs/ranks.md)")
+  app.add_option(
+         "--ranks", ranks,
+         "Compute on so many processes, which mpirun starts; each has its share of the particles (docs/ranks.md)")
       ->check(CLI::Range(1, 65536))
       ->type_name("N");
   app.add_option("--restart", options.restart,

@@ -128,7 +128,8 @@ std::string common_instruction_set(Ranks& ranks, const std::string& asked) {
   if (worst == openmp_cores.size()) return asked;  // no such instruction set, which is told below
   const std::string common = openmp_cores[worst].instruction_set;
   if (asked != "auto" && asked != common) {
-    throw InputError("--isa " + asked + ": another rank computes with " + common + "; give all ranks the same, or none");
+    throw InputError("--isa " + asked + ": another rank computes with " + common +
+                     "; give all ranks the same, or none");
   }
   return common;
 }

@@ -93,26 +93,30 @@ ParticleSet join_sets(const std::vector<ParticleSet>& of_ranks) {
   ParticleSet joint;
   const ParticleSet& first = of_ranks.front();
   for_each_array(joint, [&](const char* name, auto& array) {
-    join(of_ranks,
-         [&](const ParticleSet& set) -> const std::remove_cvref_t<decltype(array)>& {
-           const std::remove_cvref_t<decltype(array)>* found = nullptr;
-           for_each_array(set, [&](const char* other, const auto& candidate) {
-             if constexpr (std::is_same_v<decltype(candidate), decltype(*found)>) {
-               if (std::string(other) == name) found = &candidate;
-             }
-           });
-           return *found;
-         },
-         array);
+    join(
+        of_ranks,
+        [&](const ParticleSet& set) -> const std::remove_cvref_t<decltype(array)>& {
+          const std::remove_cvref_t<decltype(array)>* found = nullptr;
+          for_each_array(set, [&](const char* other, const auto& candidate) {
+            if constexpr (std::is_same_v<decltype(candidate), decltype(*found)>) {
+              if (std::string(other) == name) found = &candidate;
+            }
+          });
+          return *found;
+        },
+        array);
   });
-  join(of_ranks, [](const ParticleSet& set) -> const std::vector<Vec3>& { return set.position; }, joint.position);
+  join(
+      of_ranks, [](const ParticleSet& set) -> const std::vector<Vec3>& { return set.position; }, joint.position);
   for (const auto& [name, array] : first.scalars) {
-    join(of_ranks, [&name = name](const ParticleSet& set) -> const std::vector<float>& { return set.scalars.at(name); },
-         joint.scalars[name]);
+    join(
+        of_ranks, [&name = name](const ParticleSet& set) -> const std::vector<float>& { return set.scalars.at(name); },
+        joint.scalars[name]);
   }
   for (const auto& [name, array] : first.doubles) {
-    join(of_ranks, [&name = name](const ParticleSet& set) -> const std::vector<double>& { return set.doubles.at(name); },
-         joint.doubles[name]);
+    join(
+        of_ranks, [&name = name](const ParticleSet& set) -> const std::vector<double>& { return set.doubles.at(name); },
+        joint.doubles[name]);
   }
   joint.facts = first.facts;
   joint.facts.erase(own_fluid_fact);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <exception>
 #include <utility>
 
 #include "solver/simulation/particle_messages.hpp"
@@ -10,7 +11,7 @@
 namespace thalweg {
 namespace {
 
-/// What the first rank asks of the others.
+/// A request of the first rank to the others.
 enum class Request : int {
   set_time,
   advance,
@@ -25,6 +26,18 @@ enum class Request : int {
 };
 
 constexpr std::size_t root = 0;
+
+/// what(), in which all ranks take part. One that cannot go on leaves the others waiting for it: it says why and ends all.
+template <class What>
+auto together(Ranks& ranks, const What& what) {
+  try {
+    return what();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: rank {}: {}; the run ends on all ranks, and its last checkpoint is whole\n",
+               ranks.rank(), error.what());
+    ranks.abandon();
+  }
+}
 
 /// Brings the particle sets of all ranks to the first.
 ParticleSet gather_set(Ranks& ranks, const ParticleSet& mine) {
@@ -50,9 +63,13 @@ struct CountedFacts {
 
 SimulationFacts gather_facts(Ranks& ranks, SimulationFacts facts) {
   const auto n = static_cast<double>(facts.particles);
-  const CountedFacts mine{facts.particles, facts.fluid_particles, facts.list_entries_per_particle * n,
-                          facts.bytes_per_particle * n, facts.copies_per_particle * n,
-                          facts.neighbours_mean * static_cast<double>(facts.fluid_particles), ranks.sent()};
+  const CountedFacts mine{facts.particles,
+                          facts.fluid_particles,
+                          facts.list_entries_per_particle * n,
+                          facts.bytes_per_particle * n,
+                          facts.copies_per_particle * n,
+                          facts.neighbours_mean * static_cast<double>(facts.fluid_particles),
+                          ranks.sent()};
   CountedFacts all{};
   for (const CountedFacts& f : gather_from(ranks, mine)) {
     all.particles += f.particles;
@@ -129,33 +146,33 @@ class Leader final : public Simulation {
   }
   StepReport advance(double longest) override {
     ask(Request::advance, longest);
-    return gather_report(ranks_, share_->advance(longest));
+    return together(ranks_, [&] { return gather_report(ranks_, share_->advance(longest)); });
   }
   std::vector<ExcludedParticle> take_excluded() override {
     ask(Request::take_excluded);
-    return share_->take_excluded();
+    return together(ranks_, [&] { return share_->take_excluded(); });
   }
   Totals totals() override {
     ask(Request::totals);
-    return share_->totals();
+    return together(ranks_, [&] { return share_->totals(); });
   }
   MassLedger ledger() const override { return share_->ledger(); }
   std::vector<OpeningFlux> openings() const override { return share_->openings(); }
   std::optional<BedReport> bed() const override { return share_->bed(); }
   SimulationFacts facts() override {
     ask(Request::facts);
-    return gather_facts(ranks_, share_->facts());
+    return together(ranks_, [&] { return gather_facts(ranks_, share_->facts()); });
   }
   double cpu_seconds_elsewhere() override {
     ask(Request::cpu_seconds);
-    return gather_cpu_seconds(ranks_);
+    return together(ranks_, [&] { return gather_cpu_seconds(ranks_); });
   }
   const Timing& timing() const override { return share_->timing(); }
   Timing& timing() override { return share_->timing(); }
 
   ParticleSet snapshot() override {
     ask(Request::snapshot);
-    return gather_set(ranks_, share_->snapshot());
+    return together(ranks_, [&] { return gather_set(ranks_, share_->snapshot()); });
   }
   std::function<ParticleSet()> begin_snapshot() override {
     return [set = snapshot()] { return set; };
@@ -163,11 +180,11 @@ class Leader final : public Simulation {
   ParticleSet snapshot_within(const std::vector<Eigen::AlignedBox3d>& regions) override {
     ask(Request::snapshot_within);
     broadcast(ranks_, message_of(regions));
-    return gather_set(ranks_, share_->snapshot_within(regions));
+    return together(ranks_, [&] { return gather_set(ranks_, share_->snapshot_within(regions)); });
   }
   ParticleSet full_state() override {
     ask(Request::full_state);
-    return gather_set(ranks_, share_->full_state());
+    return together(ranks_, [&] { return gather_set(ranks_, share_->full_state()); });
   }
 
  private:
@@ -177,6 +194,42 @@ class Leader final : public Simulation {
   Ranks& ranks_;
 };
 
+/// Does what the first rank has asked for; false if nothing more will come.
+bool answer(Simulation& share, Ranks& ranks, const Asked& asked) {
+  switch (asked.request) {
+    case Request::set_time:
+      share.set_time(asked.number);
+      break;
+    case Request::advance:
+      gather_report(ranks, share.advance(asked.number));
+      break;
+    case Request::take_excluded:
+      share.take_excluded();
+      break;
+    case Request::totals:
+      share.totals();
+      break;
+    case Request::facts:
+      gather_facts(ranks, share.facts());
+      break;
+    case Request::cpu_seconds:
+      gather_cpu_seconds(ranks);
+      break;
+    case Request::snapshot:
+      gather_set(ranks, share.snapshot());
+      break;
+    case Request::snapshot_within:
+      gather_set(ranks, share.snapshot_within(regions_in(broadcast(ranks, {}))));
+      break;
+    case Request::full_state:
+      gather_set(ranks, share.full_state());
+      break;
+    case Request::end:
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::unique_ptr<Simulation> lead(std::unique_ptr<Simulation> share, Ranks& ranks) {
@@ -184,39 +237,7 @@ std::unique_ptr<Simulation> lead(std::unique_ptr<Simulation> share, Ranks& ranks
 }
 
 void follow(Simulation& share, Ranks& ranks) {
-  while (true) {
-    const Asked asked = gather_from(ranks, Asked{}).front();
-    switch (asked.request) {
-      case Request::set_time:
-        share.set_time(asked.number);
-        break;
-      case Request::advance:
-        gather_report(ranks, share.advance(asked.number));
-        break;
-      case Request::take_excluded:
-        share.take_excluded();
-        break;
-      case Request::totals:
-        share.totals();
-        break;
-      case Request::facts:
-        gather_facts(ranks, share.facts());
-        break;
-      case Request::cpu_seconds:
-        gather_cpu_seconds(ranks);
-        break;
-      case Request::snapshot:
-        gather_set(ranks, share.snapshot());
-        break;
-      case Request::snapshot_within:
-        gather_set(ranks, share.snapshot_within(regions_in(broadcast(ranks, {}))));
-        break;
-      case Request::full_state:
-        gather_set(ranks, share.full_state());
-        break;
-      case Request::end:
-        return;
-    }
+  while (together(ranks, [&] { return answer(share, ranks, gather_from(ranks, Asked{}).front()); })) {
   }
 }
 

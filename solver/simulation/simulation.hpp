@@ -29,7 +29,7 @@ struct SimulationFacts {
   double copies_per_particle = 0;  // of particles that other ranks have
   Traffic sent;                    // by the rank that sent most bytes
   double imbalance = 0;            // time that the slowest rank computes over the mean of all, less 1 [-]
-  std::string device;  // "OpenMP, AVX-512, 2 threads"
+  std::string device;              // "OpenMP, AVX-512, 2 threads"
 };
 
 /// Name of a fact of the particle sets of one rank among several: how many of its particles are fluid, and stand first;

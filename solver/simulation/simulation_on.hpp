@@ -174,7 +174,7 @@ class SimulationOn final : public Simulation {
   }
 
  private:
-  /// How many particles of a set are fluid, and stand first; -1 before there is an order. Nothing on one rank.
+  /// Number of the particles of a set that are fluid, and stand first; -1 before there is an order. Nothing on one rank.
   [[nodiscard]] std::optional<double> part_of(Index fluid) const {
     if (share_ == nullptr) return std::nullopt;
     return p_.has_lists() ? double(fluid) : -1.0;

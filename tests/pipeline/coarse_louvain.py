@@ -53,3 +53,21 @@ def series(run):
     """(time, file) of the entries of snapshots.pvd."""
     collection = xml.etree.ElementTree.parse(run / "snapshots.pvd").getroot().find("Collection")
     return [(float(entry.get("timestep")), run / entry.get("file")) for entry in collection]
+
+
+def solvers_under(process):
+    """The solvers among the processes that this one has started, and those that these have."""
+    found = []
+    for entry in pathlib.Path("/proc").iterdir():
+        if not entry.name.isdigit():
+            continue
+        try:
+            parent = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
+            program = (entry / "cmdline").read_bytes().split(b"\0")[0].decode()
+        except (OSError, IndexError):
+            continue
+        found.append((int(entry.name), parent, program))
+    known = {process}
+    while more := {pid for pid, parent, _ in found if parent in known} - known:
+        known |= more
+    return sorted(pid for pid, _, program in found if pid in known and program.endswith("thalweg-solver"))

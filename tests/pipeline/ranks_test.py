@@ -28,24 +28,6 @@ def files_of(run):
     return (run / "history.csv").read_bytes(), [(time, file.read_bytes()) for time, file in case.series(run)]
 
 
-def children_of(process):
-    """The processes that this one has started, and theirs."""
-    found = []
-    for entry in pathlib.Path("/proc").iterdir():
-        if not entry.name.isdigit():
-            continue
-        try:
-            parent = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
-            program = (entry / "cmdline").read_bytes().split(b"\0")[0].decode()
-        except (OSError, IndexError):
-            continue
-        found.append((int(entry.name), parent, program))
-    known = {process}
-    while more := {pid for pid, parent, _ in found if parent in known} - known:
-        known |= more
-    return sorted(pid for pid, _, program in found if pid in known and program.endswith("thalweg-solver"))
-
-
 class Ranks(unittest.TestCase):
     def setUp(self):
         self.run = scratch / self.id().rsplit(".", 1)[-1]
@@ -91,7 +73,7 @@ class Ranks(unittest.TestCase):
             shutil.rmtree(self.run / "snapshots", ignore_errors=True)
             process = self.solver("--force", "--ranks", 2)
             self.wait_for(lambda: len(case.series(self.run)) > 2 and (self.run / "checkpoint.vtp").exists())
-            ranks = children_of(process.pid) or children_of(os.getpid())
+            ranks = case.solvers_under(process.pid)
             self.assertEqual(len(ranks), 2)
             begun = time.monotonic()
             os.kill(ranks[victim], signal.SIGKILL)

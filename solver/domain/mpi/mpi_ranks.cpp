@@ -120,6 +120,4 @@ class MpiRanks final : public Ranks {
 }  // namespace thalweg
 
 /// The one symbol of the module; the caller owns the result.
-extern "C" __attribute__((visibility("default"))) thalweg::Ranks* thalweg_join_ranks() {
-  return new thalweg::MpiRanks;
-}
+extern "C" __attribute__((visibility("default"))) thalweg::Ranks* thalweg_join_ranks() { return new thalweg::MpiRanks; }

@@ -194,7 +194,8 @@ void begin_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>& 
   Sediment* sediment = p.sediment.data();
   const auto vector = iteration_vector<stored>(p, system);
   if constexpr (stored) {  // zero for walls and water far from sediment
-    on.for_each(p.with_copies() + 1, declare<Reads<>, VectorField<stored>>([=] HOST_DEVICE(Index i) { vector.from[i] = {}; }));
+    on.for_each(p.with_copies() + 1,
+                declare<Reads<>, VectorField<stored>>([=] HOST_DEVICE(Index i) { vector.from[i] = {}; }));
   }
   // The viscous acceleration of the last step is the best guess for this one.
   for_each_member(on, list, range,

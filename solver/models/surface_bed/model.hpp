@@ -25,8 +25,8 @@ struct SurfaceBedWork {
   // On several ranks: the two as all ranks knew them last.
   typename Device::template Buffer<ColumnShear> shared_bed_sums;
   typename Device::template Buffer<double> shared_bed_lifted;
-  double dt_of_bed = 0;                                 // [s] of the step under way
-  bool bed_moved = false;                               // since the lists were made, to a place where it stays
+  double dt_of_bed = 0;    // [s] of the step under way
+  bool bed_moved = false;  // since the lists were made, to a place where it stays
 };
 
 template <class Device>

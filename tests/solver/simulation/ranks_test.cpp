@@ -122,17 +122,21 @@ TEST_P(SceneOnRanks, GoesOnFromACheckpointOfOtherRanks) {
 // A short run of every model: with walls that move, periodic sides, a drive, openings, all kinds of beds.
 INSTANTIATE_TEST_SUITE_P(
     , SceneOnRanks,
-    testing::Values(
-        Scenario{"DamBreak", "dam_break", {}, 60}, Scenario{"Spheric", "spheric02", {"numerics.spacing=60 mm"}, 30},
-        Scenario{"Gate", "gate", {}, 40}, Scenario{"Channel", "channel", {}, 30}, Scenario{"Weir", "weir", {}, 30},
-        Scenario{"LargeEddies", "channel", {"model.turbulence=sps"}, 20},
-        Scenario{"Louvain", "louvain", {"numerics.spacing=10 mm"}, 60},
-        Scenario{"Louvain3d", "louvain3d", {"numerics.spacing=20 mm"}, 20},
-        Scenario{"Laplace", "louvain", {"numerics.spacing=10 mm", "model.effective_pressure=laplace"}, 20},
-        Scenario{"Explicit", "louvain", {"numerics.spacing=10 mm", "numerics.viscosity=explicit"}, 10},
-        Scenario{"Columns", "submerged_columns", {}, 16}, Scenario{"Pier", "pier", {}, 10},
-        Scenario{"Mixture", "louvain", {"numerics.spacing=10 mm", "model.sediment=viscoplastic", "model.seepage=mixture"}, 20},
-        Scenario{"SurfaceBed", "pipeline_hours", {"surface_bed.spin_up=2 ms", "surface_bed.window=5 ms"}, 60}),
+    testing::Values(Scenario{"DamBreak", "dam_break", {}, 60},
+                    Scenario{"Spheric", "spheric02", {"numerics.spacing=60 mm"}, 30}, Scenario{"Gate", "gate", {}, 40},
+                    Scenario{"Channel", "channel", {}, 30}, Scenario{"Weir", "weir", {}, 30},
+                    Scenario{"LargeEddies", "channel", {"model.turbulence=sps"}, 20},
+                    Scenario{"Louvain", "louvain", {"numerics.spacing=10 mm"}, 60},
+                    Scenario{"Louvain3d", "louvain3d", {"numerics.spacing=20 mm"}, 20},
+                    Scenario{"Laplace", "louvain", {"numerics.spacing=10 mm", "model.effective_pressure=laplace"}, 20},
+                    Scenario{"Explicit", "louvain", {"numerics.spacing=10 mm", "numerics.viscosity=explicit"}, 10},
+                    Scenario{"Columns", "submerged_columns", {}, 16}, Scenario{"Pier", "pier", {}, 10},
+                    Scenario{"Mixture",
+                             "louvain",
+                             {"numerics.spacing=10 mm", "model.sediment=viscoplastic", "model.seepage=mixture"},
+                             20},
+                    Scenario{
+                        "SurfaceBed", "pipeline_hours", {"surface_bed.spin_up=2 ms", "surface_bed.window=5 ms"}, 60}),
     [](const auto& scenario) { return std::string(scenario.param.name); });
 
 }  // namespace
