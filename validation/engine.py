@@ -14,7 +14,7 @@ from study.results import resolved
 from study.runs import Run
 from study.starts import start
 from thalweg.tables import text_rows
-from thalweg.faults import InputError
+from thalweg.faults import InputError, say
 
 PROGRAMS = ("thalweg-gencase", "thalweg-solver", "thalweg-postproc", "thalweg_core_openmp_*.so", "thalweg_core_cuda.so")
 
@@ -101,7 +101,7 @@ class PipelineRun(Run):
             self.failure = failed.error_line()
             return
         begun.rename(self.folder / "made_by.json")
-        print(f"{self.case.name}: {self.name}: {used.cpu:.1f} s of processor time", flush=True)
+        say(f"{self.case.name}: {self.name}: {used.cpu:.1f} s of processor time")
 
     def facts(self):
         """summary.csv: quantity → text."""

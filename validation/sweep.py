@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from study.runs import compute_all
 from validation import engine, headline, sweep_page
-from thalweg.faults import Arguments, InputError, run_program
+from thalweg.faults import Arguments, InputError, answer, run_program, say
 from validation.pages import origin
 from validation.runs_folder import prepare
 from validation.variations import combinations, variation
@@ -114,15 +114,18 @@ def sweep():
     runs = out / "runs"
     found = members(thalweg, given, case, variations, runs)
     prepare(out, shown, given.resume, given.force)
-    print(f"{len(found)} runs, {sum(member.run.complete() for member in found)} of them finished", flush=True)
+    say(f"{len(found)} runs, {sum(member.run.complete() for member in found)} of them finished")
     compute_all([member.run for member in found], given.jobs, lambda run: compute(run, given.measure))
     names = measure_all(found, given)
     sweep_page.write(out, case.name, variations, found, names, given.repeats, origin(thalweg, case))
     failed = [member.run for member in found if member.run.failure]
     for run in failed:
         print(f"FAILED: {run.name}: {run.failure}", file=sys.stderr)
-    print(f"{len(found) - len(failed)} of {len(found)} runs finished; table and page: {shown / 'sweep.csv'}, {shown / 'sweep.md'}")
-    return 1 if failed else 0
+    say(f"{len(found) - len(failed)} of {len(found)} runs finished; table and page: {shown / 'sweep.csv'}, {shown / 'sweep.md'}")
+    status = 1 if failed else 0
+    answer({"status": status, "table": str(shown / "sweep.csv"), "page": str(shown / "sweep.md"), "runs": len(found),
+            "failed": [run.name for run in failed]})
+    return status
 
 
 def main():

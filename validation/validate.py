@@ -6,7 +6,7 @@ import sys
 from study.runs import compute_all
 from validation import engine, outcome, pages
 from validation.expected import NAME, read_expected
-from thalweg.faults import Arguments, InputError, run_program
+from thalweg.faults import Arguments, InputError, answer, run_program, say
 from validation.finished import Finished
 from validation.measure_reference import reference_page
 from validation.runs_folder import prepare
@@ -93,7 +93,7 @@ def validate():
     planned = [(expected, plan_runs(thalweg, expected, runs, given.full, not given.no_repeats)) for expected in cases]
     for expected, found in planned:
         if not found:
-            print(f"{expected.name}: all its runs are long; make them with --full")
+            say(f"{expected.name}: all its runs are long; make them with --full")
     planned = [(expected, found) for expected, found in planned if found]
     if not planned:
         return 0
@@ -104,14 +104,18 @@ def validate():
         compute_all(list(plans), given.jobs, lambda run, plans=plans, expected=expected: compute(run, plans[run], expected))
         for row in outcome.rows_of(expected, found):
             rows.append(row)
-            print(pages.line(row), flush=True)
+            say(pages.line(row))
     pages.write(out, planned, rows, given.page, pages.origin(thalweg, planned[0][0].case))
     failed = [row for row in rows if row.verdict == outcome.FAIL]
     misfits = [row for row in rows if row.verdict == outcome.MISFIT]
-    print(f"{len(rows)} figures: {sum(row.verdict == outcome.PASS for row in rows)} pass, {len(misfits)} known misfits, {len(failed)} fail, "
-          f"{sum(row.verdict == outcome.NO_VERDICT for row in rows)} without a verdict")
-    print(f"page: {given.out / 'validation.md'}")
-    return 1 if failed else 0
+    passed = sum(row.verdict == outcome.PASS for row in rows)
+    without = sum(row.verdict == outcome.NO_VERDICT for row in rows)
+    say(f"{len(rows)} figures: {passed} pass, {len(misfits)} known misfits, {len(failed)} fail, {without} without a verdict")
+    say(f"page: {given.out / 'validation.md'}")
+    status = 1 if failed else 0
+    answer({"status": status, "page": str(given.out / "validation.md"), "figures": len(rows), "pass": passed, "misfit": len(misfits),
+            "fail": len(failed), "no_verdict": without})
+    return status
 
 
 def main():

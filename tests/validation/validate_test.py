@@ -42,6 +42,17 @@ class Validate(unittest.TestCase):
         self.assertTrue((self.out / report[:report.index(")")]).is_file(), "the page's link leads nowhere")
         self.assertEqual(json.loads((self.out / "validation.json").read_text())["figures"][0]["verdict"], "pass")
 
+    def test_quiet_says_nothing_and_json_is_one_object(self):
+        result = self.validate(level(), "--quiet")
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        result = self.validate(level(value=0.12), "--json", "--resume")
+        told = json.loads(result.stdout)
+        self.assertEqual((told["status"], told["pass"], told["fail"]), (1, 0, 1))
+        self.assertIn("1 figures", result.stderr)
+        refused = json.loads(self.validate("[nonsense]\n", "--json", "--force").stdout)
+        self.assertEqual(refused["status"], 2)
+        self.assertIn("nonsense", refused["errors"][0]["message"])
+
     def test_a_figure_beyond_its_limit_fails(self):
         result = self.validate(level(value=0.12))
         self.assertEqual(result.returncode, 1, result.stdout + result.stderr)

@@ -4,7 +4,7 @@ import pathlib
 import re
 import sys
 
-from thalweg.faults import Arguments, InputError, run_program
+from thalweg.faults import Arguments, InputError, answer, run_program, say
 from thalweg.importing.document import convert
 from thalweg.importing.xml_tree import read_xml
 
@@ -45,9 +45,11 @@ def import_case():
     imported = convert(read_xml(given.definition, str(given.definition)), given.definition.parent, given.definition.name, name, given.rigid)
     write(imported, folder)
     for line, text in imported.remarks:
-        print(f"{given.definition}:{line}: {text}")
+        say(f"{given.definition}:{line}: {text}")
     counted = ", ".join(f"{number} {what}" for what, number in imported.counts.items() if number)
-    print(f"{folder / 'case.toml'}: {counted}; {len(imported.remarks) or 'no'} remarks. Look at it, then thalweg gencase {folder} --check")
+    answer({"status": 0, "case": str(folder / "case.toml"), "counts": imported.counts,
+            "remarks": [{"line": line, "message": text} for line, text in imported.remarks]})
+    say(f"{folder / 'case.toml'}: {counted}; {len(imported.remarks) or 'no'} remarks. Look at it, then thalweg gencase {folder} --check")
     return 0
 
 

@@ -6,7 +6,7 @@ import re
 import sys
 
 from thalweg.case import Case
-from thalweg.faults import Arguments, InputError, nearest, run_program
+from thalweg.faults import Arguments, InputError, answer, nearest, run_program, say
 
 SCENES = {
     "walljet": "a jet under a gate, over an apron and a bed of sand",
@@ -47,8 +47,9 @@ def new():
     case = Case(text_of(given.scene))
     case["case.name"] = name
     case.save(given.case)
-    print(f"{file}: {SCENES[given.scene]}. Lines marked with <- are the first to change. Next:\n"
-          f"  thalweg gencase {given.case} --check\n  thalweg run {given.case} --no-foam")
+    answer({"status": 0, "case": str(file)})
+    say(f"{file}: {SCENES[given.scene]}. Lines marked with <- are the first to change. Next:\n"
+        f"  thalweg gencase {given.case} --check\n  thalweg run {given.case} --no-foam")
     return 0
 
 
