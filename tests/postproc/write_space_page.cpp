@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
   }
   thalweg::write_whole_text(input.run.root / "index.html", [&](std::ostream& page) {
     page << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><style>" << thalweg::report_style
-         << "</style></head><body>" << thalweg::report_sections::space_view(scene) << "</body></html>\n";
+         << "</style></head><body>" << thalweg::report_sections::space_view(input, scene) << "</body></html>\n";
   });
   return 0;
 }
