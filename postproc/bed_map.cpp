@@ -31,6 +31,21 @@ std::optional<std::size_t> place_of(const BedMap& map, const Vec3& at) {
   return map.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
 }
 
+/// Calls `of` for all places within `reach` [m] of a point, along x and along y.
+template <class Of>
+void for_places(const BedMap& map, const Vec3& at, double reach, const Of& of) {
+  const auto places = [&](double from_first, std::size_t count) {
+    const auto below = static_cast<long>(std::ceil((from_first - reach) / map.step));
+    const auto above = static_cast<long>(std::floor((from_first + reach) / map.step));
+    return std::pair{std::max(0L, below), std::min(above, static_cast<long>(count) - 1)};
+  };
+  const auto [left, right] = places(at.x() - map.x0, map.nx);
+  const auto [near, far] = map.ny == 1 ? std::pair{0L, 0L} : places(at.y() - map.y0, map.ny);
+  for (long i = left; i <= right; ++i) {
+    for (long j = near; j <= far; ++j) of(map.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j)));
+  }
+}
+
 /// Columns of a grid, from the first to the last that counts.
 struct Range {
   std::size_t first = std::numeric_limits<std::size_t>::max();
@@ -170,12 +185,7 @@ void add_ground(BedMap& map, const ParticleSet& particles) {
   const Extent fluid = extent_of(particles, is_fluid);
   const double spacing = particles.info.spacing;
   // A particle fills a square of one spacing: all places on it, of which a lattice half a spacing off has several.
-  const double half = 0.501 * spacing;
-  const auto places = [&](double from_first, std::size_t count) {
-    const auto below = static_cast<long>(std::ceil((from_first - half) / map.step));
-    const auto above = static_cast<long>(std::floor((from_first + half) / map.step));
-    return std::pair{std::max(0L, below), std::min(above, static_cast<long>(count) - 1)};
-  };
+  constexpr double reach = 0.501;  // [spacings]
   for (std::size_t n = 0; n < particles.size(); ++n) {
     const Vec3& at = particles.position[n];
     if (!is_wall(particles.type[n]) || at.z() < fluid.low.z() || at.z() > fluid.high.z()) continue;
@@ -183,14 +193,9 @@ void add_ground(BedMap& map, const ParticleSet& particles) {
       return at[axis] > fluid.low[axis] + spacing && at[axis] < fluid.high[axis] - spacing;
     };
     const Ground kind = inside(0) && (map.ny == 1 || inside(1)) ? Ground::body : Ground::wall;
-    const auto [left, right] = places(at.x() - map.x0, map.nx);
-    const auto [near, far] = map.ny == 1 ? std::pair{0L, 0L} : places(at.y() - map.y0, map.ny);
-    for (long i = left; i <= right; ++i) {
-      for (long j = near; j <= far; ++j) {
-        const std::size_t k = map.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-        if (map.ground[k] != Ground::bed && std::isnan(map.water[k])) map.ground[k] = std::max(map.ground[k], kind);
-      }
-    }
+    for_places(map, at, reach * spacing, [&](std::size_t k) {
+      if (map.ground[k] != Ground::bed && std::isnan(map.water[k])) map.ground[k] = std::max(map.ground[k], kind);
+    });
   }
 }
 
@@ -203,12 +208,14 @@ void add_shields(BedMap& map, const ParticleSet& particles, double grain_weight)
   const double unit = of_columns ? grain_weight : 1;
   std::vector<double> sum(map.size(), 0);
   std::vector<double> count(map.size(), 0);
+  // Grains lie anywhere, the top rows of columns at their middles.
+  const double reach = (of_columns ? 0.25 : 1) * particles.info.spacing;
   for (std::size_t n = 0; n < particles.size(); ++n) {
     if (particles.type[n] != ParticleType::sediment || !(values[n] > 0)) continue;
-    const auto k = place_of(map, particles.position[n]);
-    if (!k) continue;
-    sum[*k] += values[n] / unit;
-    count[*k] += 1;
+    for_places(map, particles.position[n], reach, [&](std::size_t k) {
+      sum[k] += values[n] / unit;
+      count[k] += 1;
+    });
   }
   map.shields.assign(map.size(), none);
   for (std::size_t k = 0; k < map.size(); ++k) {

@@ -57,7 +57,7 @@ BedMap map_of_columns(const ParticleSet& before, const ParticleSet& now);
 /// fluid; bodies lie within the fluid's extent, walls around it.
 void add_ground(BedMap& map, const ParticleSet& particles);
 
-/// Adds Shields numbers: the mean ShieldsNumber of the grains of a place that have one or, of a bed that is a surface,
+/// Adds Shields numbers: the mean ShieldsNumber of the grains that have one within a spacing of a place or, of a bed that is a surface,
 /// BedShear [Pa] over `grain_weight` [Pa]. Leaves the map without where the set has neither array.
 void add_shields(BedMap& map, const ParticleSet& particles, double grain_weight);
 

@@ -140,7 +140,8 @@ std::string scene(const ReportInput& input, const fs::path& pictures) {
   const std::vector<fs::path> shots = paraview_pictures(input);
   if (shots.empty()) {
     return text +
-           "<p class=\"small\">In ParaView: <code>paraview --script=view.py</code>; <code>pvbatch view.py --pictures "
+           "<p class=\"small onscreen\">In ParaView: <code>paraview --script=view.py</code>; <code>pvbatch view.py "
+           "--pictures "
            "report/paraview</code> saves pictures, which the next report shows here.</p>\n";
   }
   return text + paraview_figure(shots.back());

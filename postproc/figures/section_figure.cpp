@@ -96,9 +96,9 @@ fs::path section_script(const FigureWriter& writer, const MapTable& table, bool 
   const std::size_t deepest = map.index(place[0], place[1]);
   const double from = along_x ? map.x0 : map.y0;
   const double to = along_x ? map.x(map.nx - 1) : map.y(map.ny - 1);
+  const PageUnit metres{"m", 1, decimals_of_places(map.step)};
   std::string where;
-  if (map.ny > 1)
-    where = along_x ? fmt::format("y = {:.3f} m", map.y(place[1])) : fmt::format("x = {:.3f} m", map.x(place[0]));
+  if (map.ny > 1) where = along_x ? "y = " + metres.text(map.y(place[1])) : "x = " + metres.text(map.x(place[0]));
   return writer.write(
       name, 1000, 270,
       fill_template(embedded::script_section, {{"from", number(from - map.step / 2)},

@@ -62,8 +62,10 @@ function start() {
   waterActor.getProperty().setColor(0.3, 0.55, 0.8);
   waterActor.getProperty().setOpacity(0.25);
   waterActor.getProperty().setSpecular(0.3);
-  renderer.addActor(bedActor);
-  renderer.addActor(waterActor);
+  for (const actor of [bedActor, waterActor]) {
+    actor.setVisibility(false); // until it has a surface: the view draws before that
+    renderer.addActor(actor);
+  }
 
   // Piers and other bodies are solid; the walls around the flow let it be seen.
   for (const [walls, grey, opacity] of [[scene.bodies, 0.42, 1], [scene.walls, 0.6, 0.12]]) {
