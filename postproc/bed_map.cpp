@@ -186,6 +186,8 @@ void add_ground(BedMap& map, const ParticleSet& particles) {
   const double spacing = particles.info.spacing;
   // A particle fills a square of one spacing: all places on it, of which a lattice half a spacing off has several.
   constexpr double reach = 0.501;  // [spacings]
+  std::vector<double> tops(map.size(), none);
+  std::vector<Ground> kinds(map.size(), Ground::bare);
   for (std::size_t n = 0; n < particles.size(); ++n) {
     const Vec3& at = particles.position[n];
     if (!is_wall(particles.type[n]) || at.z() < fluid.low.z() || at.z() > fluid.high.z()) continue;
@@ -194,8 +196,15 @@ void add_ground(BedMap& map, const ParticleSet& particles) {
     };
     const Ground kind = inside(0) && (map.ny == 1 || inside(1)) ? Ground::body : Ground::wall;
     for_places(map, at, reach * spacing, [&](std::size_t k) {
-      if (map.ground[k] != Ground::bed && std::isnan(map.water[k])) map.ground[k] = std::max(map.ground[k], kind);
+      tops[k] = std::fmax(tops[k], at.z());
+      kinds[k] = std::max(kinds[k], kind);
     });
+  }
+  // A wall ends the water; a floor has water over it. Particles beside a wall may lie over its edge.
+  constexpr double run_up = 2;  // [spacings]
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    if (map.ground[k] == Ground::bed || std::isnan(tops[k])) continue;
+    if (std::isnan(map.water[k]) || tops[k] > map.water[k] - run_up * spacing) map.ground[k] = kinds[k];
   }
 }
 

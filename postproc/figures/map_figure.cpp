@@ -82,7 +82,7 @@ fs::path write_map(const FigureWriter& writer, const MapTable& table, const MapP
        {"quantity",
         frame.axes_height() < tall ? "[" + picture.unit + "]" : picture.quantity + "  [" + picture.unit + "]"},
        {"steps",
-        number(tic_step(picture.highest - picture.lowest, std::max(2, static_cast<int>(frame.axes_height() / 70))))},
+        number(tic_step(picture.highest - picture.lowest, std::max(4, static_cast<int>(frame.axes_height() / 70))))},
        {"lowest", number(picture.lowest)},
        {"highest", number(picture.highest)},
        {"palette", picture.palette},

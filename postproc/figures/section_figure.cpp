@@ -69,10 +69,17 @@ fs::path section_script(const FigureWriter& writer, const MapTable& table, bool 
   const auto scaled = [&](const char* column) { return fmt::format("({}*column('{} [m]'))", height.factor(), column); };
   const double top = range.high / height.size;
   const double bottom = range.low / height.size;
-  std::vector<std::string> plots{fmt::format("{} using {}:{}:{} with filledcurves fc rgb '#e3eff8' notitle", data, at,
-                                             scaled("now"), scaled("water")),
-                                 fmt::format("{} using {}:{} with filledcurves y1={:g} fc rgb '#ecdcc0' notitle", data,
-                                             at, scaled("now"), bottom)};
+  std::vector<std::string> plots;
+  const std::string floor = fmt::format("({:g})", bottom);
+  for (const auto& [low, high, colour] : {std::array{scaled("now"), scaled("water"), std::string("#e3eff8")},
+                                          {floor, scaled("now"), std::string("#ecdcc0")}}) {
+    // Columns are as wide as they are, contoured beds linear between their points.
+    plots.push_back(map.in_columns ? fmt::format("{0} using {1}:{2}:({1}-{5:g}):({1}+{5:g}):{2}:{3} with boxxyerror fs "
+                                                 "solid noborder fc rgb '{4}' notitle",
+                                                 data, at, low, high, colour, 0.5 * map.step)
+                                   : fmt::format("{} using {}:{}:{} with filledcurves fc rgb '{}' notitle", data, at,
+                                                 low, high, colour));
+  }
   if (std::any_of(places.begin(), places.end(), [&](std::size_t k) { return map.ground[k] >= Ground::wall; })) {
     // Contoured beds end on a wall's face, columns half a column before it.
     const double half = (map.in_columns ? 0.5 : 1.0) * map.step;
