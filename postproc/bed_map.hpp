@@ -10,7 +10,7 @@
 
 namespace thalweg {
 
-/// What stands at a place of a BedMap: a bed; a floor without sediment, or nothing; a wall around the flow; a body in it.
+/// The kind of a place of a BedMap: a bed; a floor without sediment, or nothing; a wall around the flow; a body in it.
 enum class Ground : std::uint8_t { bed, bare, wall, body };
 
 /// A bed seen from above, before and after a run: heights at the places of a regular grid, a single row of them in 2-D.

@@ -80,7 +80,9 @@ std::string of_bed(const ReportInput& input) {
   facts.emplace_back("definition", definition(input));
   facts.emplace_back("band", band(input));
   return box(height.number(answer.depth), height.name,
-             has_water(input.resolved) ? "deepest scour" : "deepest fall of the bed", facts);
+             fmt::format("{}{}", has_water(input.resolved) ? "deepest scour" : "deepest fall of the bed",
+                         input.shortfall.empty() ? "" : " so far"),
+             facts);
 }
 
 std::string without_bed(const ReportInput& input) {

@@ -1,4 +1,4 @@
-// What a run was asked: its scene and its question, in sentences.
+// The question of a run and its scene, in sentences.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -48,7 +48,7 @@ std::string fit_in_words(EquilibriumFit fit, const PageUnit& height, const PageU
                            : "No equilibrium is told: " + text;
 }
 
-/// What there is to say of a bed that is a surface: its fit, the runs beside it, its account of grains.
+/// Of a bed that is a surface: its fit, the runs beside it, its account of grains.
 std::string of_surface(const ReportInput& input) {
   const ScourRecord& record = input.scour;
   const bool in_plane = input.resolved.info.dimension == 2;

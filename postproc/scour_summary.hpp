@@ -53,7 +53,7 @@ struct ScourBeside {
   [[nodiscard]] double difference() const { return depth - of_main; }
 };
 
-/// How far the depth of a run depends on its numbers: of equal runs, and of runs with another spacing or factor. It is no
+/// Dependence of a run's depth on numerical choices: on the chance that parts equal runs, on spacing and factor. It is no
 /// error against nature.
 struct ScourBand {
   std::vector<ScourBeside> beside;
