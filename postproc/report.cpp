@@ -96,7 +96,7 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
           {mesh.label, table.parent_path() / fmt::format("stations-mesh{}.csv", meshes.size() + 1), mesh.stations});
       write_velocity_stations(meshes.back().table, mesh.stations);
     }
-    scripts.push_back(writer.stations(table, input.stations, meshes));
+    scripts.push_back(writer.stations(table, input.stations, meshes, input.units.height));
   }
   constexpr std::size_t most_points = 200'000;  // more than a picture resolves
   const ParticleTable table =

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/units.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
 
@@ -85,12 +84,25 @@ std::string of_bed(const ReportInput& input) {
              facts);
 }
 
+/// True if the water's front is an event: it moves, and no current lasts.
+bool has_moving_front(const ReportInput& input) {
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (const FrontSample& sample : input.extraction.fronts) {
+    low = std::fmin(low, sample.front);
+    high = std::fmax(high, sample.front);
+  }
+  return !std::isnan(input.extraction.fronts.back().front) && high - low > 2 * input.extraction.info.spacing &&
+         !input.resolved.has_lasting_current();
+}
+
 std::string without_bed(const ReportInput& input) {
   Facts facts;
   const FrontSample& last = input.extraction.fronts.back();
   const std::string plane =
       input.resolved.info.dimension == 2 ? "" : fmt::format(" in the plane y = {:g} m", input.extraction.plane_y);
-  if (input.history.max_speed > 0) facts.emplace_back("largest speed", format_quantity(input.history.max_speed, "m/s"));
+  if (input.history.max_speed > 0)
+    facts.emplace_back("largest speed", fmt::format("{:.3g} m/s", input.history.max_speed));
   for (const OpeningRecord& opening : input.openings.openings) {
     const double sign = opening.enters ? 1 : -1;
     facts.emplace_back(
@@ -102,11 +114,11 @@ std::string without_bed(const ReportInput& input) {
   }
   facts.emplace_back("scour", input.resolved.has_sediment() ? "no bed: the grains are in the water"
                                                             : "no question of this case: it has no sediment");
-  if (input.resolved.has_lasting_current()) {
-    if (input.history.max_speed > 0) facts.erase(facts.begin());
+  if (!has_moving_front(input)) {
+    if (!(input.history.max_speed > 0)) return box("–", "", "no speed recorded", facts);
+    facts.erase(facts.begin());
     return box(fmt::format("{:.3g}", input.history.max_speed), "m/s", "largest speed", facts);
   }
-  if (std::isnan(last.front)) return box("–", "", "no water front", facts);
   return box(fmt::format("{:.3f}", last.front), "m", fmt::format("water front at t = {:g} s{}", last.time, plane),
              facts);
 }

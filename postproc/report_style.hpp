@@ -70,7 +70,7 @@ code { font: 12.5px "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wra
 @media screen and (max-width: 760px) { .tiles { grid-template-columns: repeat(3, 1fr); } .pair, .answer { grid-template-columns: 1fr; } }
 @page { size: A4; margin: 16mm 15mm; }
 @media print { .hair, .values, .controls, .onscreen { display: none !important; } body { max-width: none; padding: 0; font-size: 10.5pt; } h1 { font-size: 19pt; } h2 { font-size: 13pt; margin-top: 22pt; break-after: avoid; } h3 { break-after: avoid; }
-  .lead { font-size: 11pt; } table { font-size: 9pt; } .tile .v { font-size: 14pt; } a { color: inherit; } }
+  .lead { font-size: 11pt; } p { orphans: 3; widows: 3; } table { font-size: 9pt; } .tile .v { font-size: 14pt; } a { color: inherit; } }
 )css";
 
 }  // namespace thalweg

@@ -51,7 +51,7 @@ class FigureWriter {
   /// them.
   [[nodiscard]] std::filesystem::path stations(const std::filesystem::path& table,
                                                const std::vector<VelocityStation>& stations,
-                                               const std::vector<MeshStations>& meshes) const;
+                                               const std::vector<MeshStations>& meshes, const PageUnit& height) const;
 
   /// Particles by kind, speed and pressure, heights not exaggerated (PNG only).
   [[nodiscard]] std::filesystem::path particles(const ParticleTable& table, const PictureFrame& frame,
