@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "case/models/surface_bed.hpp"
 #include "case/reader/case_file.hpp"
 #include "common/app/scour/scene.hpp"
 #include "common/console.hpp"
@@ -92,8 +93,9 @@ bool make_report(ReportInput& input, bool in_space) {
   input.scour = read_scour(input.resolved, run.history());
   input.scour_checks = read_scour_checks(run, input.scour);
   input.formulas = formula_rows_of(read_scene(input.resolved));
-  input.series = input.scour.time.empty() ? series_of(input.extraction)
-                                          : series_of_columns(find_snapshots(run).entries, input.scour);
+  input.series = models::SurfaceBedOfCase::is_on(input.resolved)
+                     ? series_of_columns(find_snapshots(run).entries, input.scour)
+                     : series_of(input.extraction);
   input.answer = deepest_scour(input.extraction, input.scour);
   input.band = band_of(run, input.series, input.scour_checks, input.repeatability);
   input.map = make_run_bed_map(input.resolved, run, input.extraction);

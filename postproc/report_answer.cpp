@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/models/surface_bed.hpp"
 #include "postproc/html.hpp"
 #include "postproc/report_sections.hpp"
 
@@ -66,7 +67,14 @@ std::string of_bed(const ReportInput& input) {
   const ScourAnswer& answer = *input.answer;
   const PageUnit& height = input.units.height;
   const PageUnit& volume = input.units.volume;
-  Facts facts{{"where", place_in_words(input, answer.x, answer.y)}, {"when", time_in_words(input, answer)}};
+  Facts facts;
+  if (height.number(answer.depth) == height.number(0)) {
+    const bool spinning = models::SurfaceBedOfCase::is_on(input.resolved) && input.scour.time.empty();
+    facts.emplace_back("where", spinning ? "nowhere: the bed has taken no step yet (<code>surface_bed.spin_up</code>)"
+                                         : "nowhere: the bed has not fallen");
+  } else {
+    facts = {{"where", place_in_words(input, answer.x, answer.y)}, {"when", time_in_words(input, answer)}};
+  }
   const double slight = 0.05 * input.extraction.info.spacing;
   if (answer.depth - answer.at_end > slight) facts.emplace_back("in the end", height.text(answer.at_end));
   if (!input.series.time.empty()) {

@@ -27,6 +27,8 @@ RUNS = {
                                          "compare.times=[]"]),
     "surface": (ROOT / "tests/solver/program/surface_bed/pier.toml", ['output.end="0.5 s"', 'output.interval="0.1 s"',
                                                                       "surface_bed.factor=20"]),
+    "spinning": (ROOT / "tests/solver/program/surface_bed/pier.toml", ['output.end="0.1 s"', 'output.interval="0.05 s"',
+                                                                       'surface_bed.spin_up="1 s"']),
     "dry": (ROOT / "cases/stability/column", ['numerics.spacing="10 mm"', 'output.end="0.4 s"', "compare.times=[]",
                                               "compare.references=[]"]),
     "water": (ROOT / "cases/weir", ['numerics.spacing="10 mm"', 'output.end="1 s"', "compare.times=[]"]),
@@ -126,6 +128,12 @@ class Pages(unittest.TestCase):
         self.assertAlmostEqual(fall, deepest, delta=1e-6)
         series = case.table(folder / "report/data/bed_series.csv")
         self.assertAlmostEqual(series[-1]["eroded [m^3]"], series[-1]["deposited [m^3]"], delta=1e-3 * series[-1]["eroded [m^3]"])
+
+    def test_surface_before_its_first_step(self):
+        page = self.check(run_folder("spinning"), ["The scene", "The bed from above", "What it cost"])
+        self.assertIn("the bed has taken no step yet", page)
+        self.assertNotIn("<dt>volume</dt>", page)
+        self.assertNotIn("Scour depth and volume against time", headings(page))
 
     def test_dry(self):
         page = self.check(run_folder("dry"), ["Fall of the bed and volume against time", "The bed before and after",
