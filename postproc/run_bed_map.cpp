@@ -33,9 +33,8 @@ bool has_water(const Case& of) {
 BedMap contoured_map(const Case& resolved, const ExtractionRun& extraction, const SnapshotList& snapshots,
                      const ParticleSet& last) {
   const MeasureSettings settings = settings_of(resolved, {}, false);
-  const LevelMap before = extraction.initial_levels != nullptr
-                              ? *extraction.initial_levels
-                              : levels_of(read_particles(snapshots.entries.front().file), settings);
+  const LevelMap before = extraction.initial_levels != nullptr ? *extraction.initial_levels
+                                                               : levels_of(first_readable(snapshots.entries), settings);
   const LevelMap now = extraction.last_levels != nullptr ? *extraction.last_levels : levels_of(last, settings);
   return map_of_levels(before, now);
 }
@@ -47,9 +46,8 @@ RunBedMap make_run_bed_map(const Case& resolved, const RunFolder& run, const Ext
   if (!resolved.has_sediment()) return found;
   const SnapshotList snapshots = find_snapshots(run);
   const ParticleSet last = read_particles(extraction.last_snapshot);
-  found.map = models::SurfaceBedOfCase::is_on(resolved)
-                  ? map_of_columns(read_particles(snapshots.entries.front().file), last)
-                  : contoured_map(resolved, extraction, snapshots, last);
+  found.map = models::SurfaceBedOfCase::is_on(resolved) ? map_of_columns(first_readable(snapshots.entries), last)
+                                                        : contoured_map(resolved, extraction, snapshots, last);
   found.map.time = extraction.last_time;
   if (found.map.size() == 0 || !found.map.has_bed()) return {};
   add_ground(found.map, last);

@@ -11,6 +11,7 @@
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 #include "postproc/bed_map.hpp"
+#include "postproc/snapshots.hpp"
 
 namespace thalweg {
 namespace {
@@ -66,17 +67,13 @@ ScourSeries series_of_columns(const std::vector<SeriesEntry>& snapshots, const S
   series.of_bed_time = true;
   if (snapshots.empty() || record.time.empty()) return series;
   std::vector<std::optional<BedExtremes>> found(snapshots.size());
-  try {
-    const ParticleSet first = read_particles(snapshots.front().file);
-    tbb::parallel_for(std::size_t{0}, snapshots.size(), [&](std::size_t n) {
-      try {
-        found[n] = extremes_of(map_of_columns(first, read_particles(snapshots[n].file)));
-      } catch (const InputError&) {  // the pass over the snapshots has warned of it
-      }
-    });
-  } catch (const InputError&) {
-    return series;
-  }
+  const ParticleSet first = first_readable(snapshots);
+  tbb::parallel_for(std::size_t{0}, snapshots.size(), [&](std::size_t n) {
+    try {
+      found[n] = extremes_of(map_of_columns(first, read_particles(snapshots[n].file)));
+    } catch (const InputError&) {  // the pass over the snapshots has warned of it
+    }
+  });
   for (std::size_t n = 0; n < snapshots.size(); ++n) {
     if (!found[n]) continue;
     const double time = bed_time_at(record, snapshots[n].time);

@@ -73,6 +73,25 @@ TEST(Postprocess, SaysAtTheTopThatARunFailedOrWasStopped) {
   EXPECT_THAT(head_of_page(), testing::Not(HasSubstr("class=\"warnings\"")));
 }
 
+TEST(Postprocess, ReportsWhereTheFirstSnapshotIsDamagedAndWhereThereIsOnlyOne) {
+  const TemporaryFolder folder("few_snapshots");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  const RunFolder& run = synthetic.folder();
+  write_text(run.snapshots() / "s00000.vtp", "<VTKFile");
+  PostprocessOptions options;
+  options.folder = run.root;
+  options.report = true;
+  // Once measured anew, once from what the first pass has left.
+  for (int pass = 0; pass < 2; ++pass) {
+    EXPECT_EQ(postprocess(options), Exit::run_failed);
+    EXPECT_THAT(contents_of(run.report() / "index.html"), HasSubstr("The bed before and after"));
+  }
+  write_series(run.snapshot_series(), {{0.25, "snapshots/s00005.vtp"}});
+  EXPECT_EQ(postprocess(options), Exit::run_failed);  // the case asks for 0.5 s
+  EXPECT_THAT(contents_of(run.report() / "index.html"), HasSubstr("nowhere: the bed has not fallen"));
+}
+
 TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
   const TemporaryFolder folder("report");
   const SyntheticRun synthetic(folder.path());
