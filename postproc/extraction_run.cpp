@@ -107,6 +107,8 @@ ExtractionRun extract_run(const RunFolder& run, const Case& resolved, const Extr
   record.warnings.insert(record.warnings.end(), pass.warnings().begin(), pass.warnings().end());
   record.damaged = record.damaged || !pass.warnings().empty();
   record.reused = pass.reused();
+  record.initial_levels = pass.initial_levels();
+  record.last_levels = pass.last_levels();
   const std::vector<MeasuredSnapshot> done = pass.done();
   if (done.empty()) refuse_run(run, record.warnings);
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,8 @@ struct ExtractionRun {
   double last_time = 0;                                             // [s]
   ParticleFileInfo info;                                            // of the last one
   double plane_y = 0;                                               // [m]
+  std::shared_ptr<const LevelMap> initial_levels;                   // of the first snapshot; null: not measured here
+  std::shared_ptr<const LevelMap> last_levels;                      // of the last one; null: not measured here
   std::string rest_criterion;                                       // in words: which sediment counts as resting
   std::size_t reused = 0;                                           // snapshots whose results an earlier pass had left
   std::vector<std::string> warnings;

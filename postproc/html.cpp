@@ -63,6 +63,7 @@ std::string typeset(std::string_view value) {
       {R"((\d)e-0*(\d+)\b)", "$1\u202f×\u202f10<sup>\u2212$2</sup>"},
       {R"(\^(-?[0-9.]+|[a-z]))", "<sup>$1</sup>"},
       {R"((\d )us\b)", "$1µs"},
+      {R"((\d )um\b)", "$1µm"},
   };
   std::string text = escape(value);
   for (const auto& [pattern, replacement] : rules) text = std::regex_replace(text, std::regex(pattern), replacement);

@@ -31,18 +31,43 @@ double bed_of(const ColumnLevels& levels, double ColumnLevels::*height) {
   return dry ? levels.floor : levels.*height;
 }
 
+struct Change {
+  double before;  // [m] NaN where the two heights cannot be compared
+  double now;     // [m]
+  bool of_bed;    // sediment lies there before or after
+
+  [[nodiscard]] double rise() const { return now - before; }
+};
+
+/// The change of column (i, j) of `after`.
+Change change_of(const LevelMap& before, const LevelMap& after, std::size_t i, std::size_t j,
+                 double ColumnLevels::*height) {
+  const ColumnLevels& now = after.levels[after.grid.column(i, j)];
+  const ColumnLevels* found = before.find(after.grid, i, j);
+  // No fluid was near a column that the first map does not reach: its floor was bare and dry.
+  const double dry = std::numeric_limits<double>::quiet_NaN();
+  const ColumnLevels then = found != nullptr ? *found : ColumnLevels{dry, dry, dry, now.floor};
+  if (!(std::abs(now.floor - then.floor) <= after.grid.step))
+    return {dry, dry, false};  // another wall: a deck, a piston
+  if (std::isnan(now.free_surface) && std::isnan(then.free_surface)) return {dry, dry, false};  // perhaps inside a wall
+  const double level = bed_of(now, height);
+  const double first = bed_of(then, height);
+  const double layer = least_layer * after.grid.step;
+  return {first, level, level - now.floor > layer || first - then.floor > layer};
+}
+
 class Balance {
  public:
-  Balance(const LevelMap& before, const LevelMap& after) : before_(before), after_(after) {
+  Balance(const LevelMap& before, const LevelMap& after) : after_(after) {
     const SamplingGrid& grid = after.grid;
     change_.assign(after.levels.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < grid.nx; ++i) {
       for (std::size_t j = 0; j < grid.ny; ++j) {
         const std::size_t column = grid.column(i, j);
-        const Change bed = change_of(i, j, &ColumnLevels::bed);
-        change_[column] = bed.rise;
+        const Change bed = change_of(before, after, i, j, &ColumnLevels::bed);
+        change_[column] = bed.rise();
         take_extremes(bed, {grid.x(i), grid.y(j), 0});
-        take_resting(change_of(i, j, &ColumnLevels::motionless_bed), {grid.x(i), grid.y(j), 0});
+        take_resting(change_of(before, after, i, j, &ColumnLevels::motionless_bed), {grid.x(i), grid.y(j), 0});
       }
     }
   }
@@ -57,43 +82,24 @@ class Balance {
   }
 
  private:
-  struct Change {
-    double rise;  // [m] NaN where the two heights cannot be compared
-    bool of_bed;  // sediment lies there before or after
-  };
-
-  [[nodiscard]] Change change_of(std::size_t i, std::size_t j, double ColumnLevels::*height) const {
-    const ColumnLevels& now = after_.levels[after_.grid.column(i, j)];
-    const ColumnLevels* found = before_.find(after_.grid, i, j);
-    // No fluid was near a column that the first map does not reach: its floor was bare and dry.
-    const double dry = std::numeric_limits<double>::quiet_NaN();
-    const ColumnLevels then = found != nullptr ? *found : ColumnLevels{dry, dry, dry, now.floor};
-    if (!(std::abs(now.floor - then.floor) <= after_.grid.step)) return {dry, false};  // another wall: a deck, a piston
-    if (std::isnan(now.free_surface) && std::isnan(then.free_surface)) return {dry, false};  // perhaps inside a wall
-    const double level = bed_of(now, height);
-    const double before = bed_of(then, height);
-    const double layer = least_layer * after_.grid.step;
-    return {level - before, level - now.floor > layer || before - then.floor > layer};
-  }
-
   void take_extremes(const Change& change, const Vec3& at) {
-    if (std::isnan(change.rise) || !change.of_bed) return;
+    if (std::isnan(change.rise()) || !change.of_bed) return;
     if (!any_) result_.scour_at = result_.deposition_at = at;
     any_ = true;
-    if (-change.rise > result_.scour) {
-      result_.scour = -change.rise;
+    if (-change.rise() > result_.scour) {
+      result_.scour = -change.rise();
       result_.scour_at = at;
     }
-    if (change.rise > result_.deposition) {
-      result_.deposition = change.rise;
+    if (change.rise() > result_.deposition) {
+      result_.deposition = change.rise();
       result_.deposition_at = at;
     }
   }
 
   void take_resting(const Change& change, const Vec3& at) {
-    if (std::isnan(change.rise) || !change.of_bed) return;
-    if (std::max(0.0, -change.rise) <= result_.resting_scour) return;
-    result_.resting_scour = std::max(0.0, -change.rise);
+    if (std::isnan(change.rise()) || !change.of_bed) return;
+    if (std::max(0.0, -change.rise()) <= result_.resting_scour) return;
+    result_.resting_scour = std::max(0.0, -change.rise());
     result_.resting_scour_at = at;
   }
 
@@ -115,7 +121,6 @@ class Balance {
     if (!std::isnan(thickness)) result_.sediment_volume += share * thickness;
   }
 
-  const LevelMap& before_;
   const LevelMap& after_;
   std::vector<double> change_;  // [m] of each column
   BedBalance result_;
@@ -158,6 +163,17 @@ const ColumnLevels* LevelMap::find(const SamplingGrid& like, std::size_t i, std:
   const long b = grid.ny == 1 ? 0 : static_cast<long>(j) + like.first_y - grid.first_y;
   if (a < 0 || b < 0 || a >= static_cast<long>(grid.nx) || b >= static_cast<long>(grid.ny)) return nullptr;
   return &levels[grid.column(static_cast<std::size_t>(a), static_cast<std::size_t>(b))];
+}
+
+std::vector<BedHeights> bed_heights(const LevelMap& before, const LevelMap& after) {
+  std::vector<BedHeights> heights(after.levels.size());
+  for (std::size_t i = 0; i < after.grid.nx; ++i) {
+    for (std::size_t j = 0; j < after.grid.ny; ++j) {
+      const Change change = change_of(before, after, i, j, &ColumnLevels::bed);
+      if (change.of_bed && !std::isnan(change.rise())) heights[after.grid.column(i, j)] = {change.before, change.now};
+    }
+  }
+  return heights;
 }
 
 std::optional<BedBalance> bed_balance(const LevelMap& before, const LevelMap& after) {

@@ -34,6 +34,16 @@ struct BedBalance {
   double sediment_volume = 0;  // [m^3] of `after`, between bed and floor
 };
 
+/// Heights of one column of a bed at two times [m]; NaN where no sediment lies before or after, where the walls below
+/// differ, and inside walls.
+struct BedHeights {
+  double before = std::numeric_limits<double>::quiet_NaN();
+  double now = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The bed of every column of `after` at both times, by the rules of BedBalance.
+std::vector<BedHeights> bed_heights(const LevelMap& before, const LevelMap& after);
+
 /// Compares two maps at the columns both have; nothing when they share none. Volumes are sums over the cells whose
 /// columns all have heights (trapezoidal rule).
 std::optional<BedBalance> bed_balance(const LevelMap& before, const LevelMap& after);

@@ -127,13 +127,13 @@ bool MeasurePass::prepare() {
   for (const SeriesEntry& entry : entries_) {
     started_.insert(entry.file);
     if (done_.contains(entry.file)) {
-      initial_ = levels_of(read_particles(entry.file), settings_);
+      initial_ = std::make_shared<const LevelMap>(levels_of(read_particles(entry.file), settings_));
       return true;
     }
     Outcome outcome = measure_one(entry, nullptr);
     take_outcome(outcome);
     if (!outcome.failure.empty()) continue;
-    initial_ = std::move(outcome.levels);
+    initial_ = std::make_shared<const LevelMap>(std::move(outcome.levels));
     return true;
   }
   return false;
@@ -147,8 +147,13 @@ void MeasurePass::measure_all(const std::vector<const SeriesEntry*>& open) {
     return next++;
   };
   using Token = std::shared_ptr<Outcome>;
-  const auto work = [&](std::size_t n) { return std::make_shared<Outcome>(measure_one(*open[n], &initial_)); };
-  const auto record = [&](const Token& outcome) { take_outcome(*outcome); };
+  const auto work = [&](std::size_t n) { return std::make_shared<Outcome>(measure_one(*open[n], initial_.get())); };
+  const auto record = [&](const Token& outcome) {
+    take_outcome(*outcome);
+    if (outcome->entry == &entries_.back() && outcome->failure.empty()) {
+      last_ = std::make_shared<const LevelMap>(std::move(outcome->levels));
+    }
+  };
   using enum tbb::filter_mode;
   tbb::parallel_pipeline(snapshots_at_once(open), tbb::make_filter<void, std::size_t>(serial_in_order, take) &
                                                       tbb::make_filter<std::size_t, Token>(parallel, work) &

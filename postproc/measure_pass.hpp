@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ class MeasurePass {
   /// The measured snapshots, in the order of the entries.
   [[nodiscard]] std::vector<MeasuredSnapshot> done() const;
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  /// The heights of all columns of the first and of the last snapshot, as far as this pass has found them.
+  [[nodiscard]] const std::shared_ptr<const LevelMap>& initial_levels() const { return initial_; }
+  [[nodiscard]] const std::shared_ptr<const LevelMap>& last_levels() const { return last_; }
   /// Number of snapshots with results of an earlier pass.
   [[nodiscard]] std::size_t reused() const { return reused_; }
 
@@ -57,7 +61,8 @@ class MeasurePass {
   std::map<std::string, MeasuredSnapshot> known_;  // by earlier passes
   std::map<std::filesystem::path, MeasuredSnapshot> done_;
   std::set<std::filesystem::path> started_;  // by prepare()
-  LevelMap initial_;
+  std::shared_ptr<const LevelMap> initial_;
+  std::shared_ptr<const LevelMap> last_;
   std::vector<std::string> warnings_;
   std::size_t reused_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "case/models/surface_bed.hpp"
 #include "case/reader/case_file.hpp"
 #include "common/app/scour/scene.hpp"
 #include "common/console.hpp"
@@ -92,10 +93,18 @@ bool make_report(ReportInput& input, bool in_space) {
   input.scour = read_scour(input.resolved, run.history());
   input.scour_checks = read_scour_checks(run, input.scour);
   input.formulas = formula_rows_of(read_scene(input.resolved));
+  input.series = models::SurfaceBedOfCase::is_on(input.resolved)
+                     ? series_of_columns(find_snapshots(run).entries, input.scour)
+                     : series_of(input.extraction);
+  input.answer = deepest_scour(input.extraction, input.scour);
+  input.band = band_of(run, input.series, input.scour_checks, input.repeatability);
+  input.map = make_run_bed_map(input.resolved, run, input.extraction);
+  input.computed = read_computed(run);
   input.stations = velocity_stations(input.resolved, find_snapshots(run).entries);
   input.timing = read_timing(run.timing());
   input.summary = read_quantities(run.summary());
   input.methods = read_methods(run);
+  input.units = units_of(input);
   write_costs(run.report() / "cost.csv", input.methods);
   for (const auto& file : {run.history(), run.timing(), run.summary()}) {
     if (!fs::exists(file)) input.warnings.push_back(file.string() + ": is missing; the report leaves its part out");

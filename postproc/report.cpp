@@ -13,6 +13,7 @@
 #include "postproc/figures/method_figures.hpp"
 #include "postproc/gnuplot.hpp"
 #include "postproc/html.hpp"
+#include "postproc/report_scripts.hpp"
 #include "postproc/report_sections.hpp"
 #include "postproc/report_style.hpp"
 #include "postproc/space_time.hpp"
@@ -68,7 +69,7 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   const FigureWriter writer(pictures);
   std::vector<fs::path> scripts;
   for (const TimedProfile& timed : input.extraction.written) {
-    scripts.push_back(writer.profiles(timed.time, input.sets, data, frame));
+    scripts.push_back(writer.profiles(timed.time, input.sets, data, frame, input.units.height));
   }
   if (has_front(input.extraction)) {
     scripts.push_back(writer.front(input.run.profiles() / "front.csv", fronts, input.sets));
@@ -77,22 +78,13 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
     scripts.push_back(writer.energies(input.run.history(), !input.history.internal_energy.empty(),
                                       input.resolved.info.dimension == 2 ? "J/m" : "J"));
   }
+  for (fs::path& script : bed_scripts(input, pictures)) scripts.push_back(std::move(script));
   if (!input.openings.openings.empty()) {
     const fs::path table = input.run.report() / "data" / "openings.csv";
     write_openings(table, input.openings, input.resolved.info.dimension);
     scripts.push_back(writer.discharges(table, input.openings, input.resolved.info.dimension == 2 ? "m^2/s" : "m^3/s"));
     if (report_sections::has_levels(input.openings))
-      scripts.push_back(writer.levels_at_openings(table, input.openings));
-  }
-  if (!input.scour.time.empty()) {
-    const fs::path table = input.run.report() / "data" / "scour.csv";
-    write_scour(table, input.scour);
-    std::vector<ScourCurve> beside;
-    for (const ScourCheck& check : input.scour_checks) {
-      beside.push_back({check.label, table.parent_path() / fmt::format("scour-beside{}.csv", beside.size() + 1)});
-      write_scour(beside.back().table, check.record);
-    }
-    scripts.push_back(writer.scour(table, input.scour.fit.has_reached(), beside));
+      scripts.push_back(writer.levels_at_openings(table, input.openings, input.units.height));
   }
   if (!input.stations.empty()) {
     const fs::path table = input.run.report() / "data" / "stations.csv";
@@ -104,13 +96,13 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
           {mesh.label, table.parent_path() / fmt::format("stations-mesh{}.csv", meshes.size() + 1), mesh.stations});
       write_velocity_stations(meshes.back().table, mesh.stations);
     }
-    scripts.push_back(writer.stations(table, input.stations, meshes));
+    scripts.push_back(writer.stations(table, input.stations, meshes, input.units.height));
   }
   constexpr std::size_t most_points = 200'000;  // more than a picture resolves
   const ParticleTable table =
       write_particle_table(input.run.report() / "data" / "particles.csv",
                            read_particles(input.extraction.last_snapshot), input.extraction.plane_y, most_points);
-  for (fs::path& script : method_scripts(input.methods, input.sets.front(), frame, input.run)) {
+  for (fs::path& script : method_scripts(input.methods, input.sets.front(), frame, input.run, input.units.height)) {
     scripts.push_back(std::move(script));
   }
   const double spacing = input.extraction.info.spacing;
@@ -123,7 +115,7 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
   }
   if (input.bed_history.times > 0) {
     scripts.push_back(writer.space_time(input.bed_history.file, input.run.profiles() / "front.csv", frame, spacing,
-                                        std::max(input.bed_history.largest, spacing)));
+                                        std::max(input.bed_history.largest, spacing), input.units.height));
   }
   return scripts;
 }
@@ -156,14 +148,20 @@ bool write_report(ReportInput& input) {
     page << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << html::escape(title)
          << "</title>\n<style>" << report_style << "</style>\n</head>\n<body>\n";
-    page << part::heading(input) << part::scene(input, pictures) << part::at_a_glance(input)
-         << part::which_is_which(input);
+    const bool bed = input.answer.has_value();
+    // The first screen: what was asked, the answer, and its course over time.
+    page << part::heading(input) << part::question(input) << part::answer(input)
+         << (bed ? part::scour(input, pictures)
+                 : part::openings(input, pictures) + part::front_and_energies(input, pictures));
     if (!input.warnings.empty()) page << part::remarks(input);
-    page << part::profiles(input, pictures) << part::errors(input) << part::front_and_energies(input, pictures)
-         << part::scour(input, pictures) << part::formulas(input) << part::openings(input, pictures)
-         << part::stations(input, pictures) << part::space_time(input, pictures) << part::space_view(space)
-         << part::particles(input, pictures) << part::methods(input, pictures) << part::run_numbers(input)
-         << part::model(input);
+    page << part::scene(input, pictures) << part::bed_map(input, pictures) << part::sections(input, pictures)
+         << part::bed_shear(input, pictures) << part::space_view(input, space)
+         << (bed ? part::openings(input, pictures) : "") << part::formulas(input) << part::conclusions(input)
+         << part::which_is_which(input) << part::profiles(input, pictures) << part::errors(input) << part::cost(input)
+         << part::methods(input, pictures);
+    if (bed) page << part::front_and_energies(input, pictures);
+    page << part::stations(input, pictures) << part::space_time(input, pictures) << part::particles(input, pictures)
+         << part::run_numbers(input) << part::model(input);
     if (input.warnings.empty()) page << part::remarks(input);
     page << part::provenance(input) << part::hover(input) << "</body>\n</html>\n";
   });

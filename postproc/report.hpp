@@ -11,8 +11,11 @@
 #include "postproc/extraction_run.hpp"
 #include "postproc/method_cost.hpp"
 #include "postproc/opening_records.hpp"
+#include "postproc/report_units.hpp"
+#include "postproc/run_bed_map.hpp"
 #include "postproc/run_records.hpp"
 #include "postproc/scour_record.hpp"
+#include "postproc/scour_summary.hpp"
 #include "postproc/velocity_stations.hpp"
 
 namespace thalweg {
@@ -33,6 +36,13 @@ struct BedHistory {
   double largest = 0;     // [m] magnitude
 };
 
+/// True if a formula gives a depth to which the bed is scoured, whatever the time.
+inline bool is_depth(const FormulaRow& row) { return row.value && row.unit == "m" && row.gives == "scour depth"; }
+
+struct ReportInput;
+/// True if the depth of a formula has room in the picture of the depths over time.
+bool is_drawn(const ReportInput& input, const FormulaRow& row);
+
 /// The contents of the page. The page adds nothing that is not here or in the files named here.
 struct ReportInput {
   Case resolved;
@@ -46,6 +56,7 @@ struct ReportInput {
   History history;
   std::vector<Timing> timing;
   std::vector<Quantity> summary;
+  Computed computed;
   std::vector<MeshModel> meshes;
   std::vector<Method> methods;
   std::vector<std::string> compare_arguments;
@@ -54,6 +65,11 @@ struct ReportInput {
   BedHistory bed_history;
   OpeningRecords openings;
   ScourRecord scour;
+  ScourSeries series;                 // of the whole bed; empty without one
+  std::optional<ScourAnswer> answer;  // nothing without a bed
+  ScourBand band;
+  RunBedMap map;
+  ReportUnits units;
   std::vector<ScourCheck> scour_checks;
   std::vector<FormulaRow> formulas;  // of scour, that the case gives the inputs of
   std::vector<VelocityStation> stations;

@@ -16,13 +16,6 @@ namespace {
 
 using html::escape;
 
-std::string millimetres(double metres) { return std::isnan(metres) ? "–" : fmt::format("{:.1f}", metres * 1e3); }
-std::string signed_millimetres(double metres) {
-  std::string text = fmt::format("{:+.1f}", metres * 1e3);
-  if (text == "-0.0" || text == "+0.0") return "0.0";
-  if (text.front() == '-') text.replace(0, 1, "\u2212");
-  return text;
-}
 std::string percent(double share) { return std::isnan(share) ? "–" : fmt::format("{:.1f} %", share * 1e2); }
 
 std::string title_of(const std::string& curve_name) {
@@ -54,7 +47,7 @@ std::vector<std::vector<std::string>> scatter_rows(const ReportInput& input, con
     for (const double time : times) {
       const Repeatability* scatter = scatter_of(input, curve.name, time);
       any = any || scatter != nullptr;
-      row.push_back(scatter != nullptr ? millimetres(scatter->rms) : "–");
+      row.push_back(scatter != nullptr ? input.units.height.number(scatter->rms) : "–");
     }
     if (any) rows.push_back(std::move(row));
   }
@@ -82,11 +75,11 @@ std::string rmse_table(const ReportInput& input, const std::vector<CurveError>& 
     const Repeatability* scatter = scatter_of(input, error.curve, error.time);
     const bool within = scatter != nullptr && error.rmse <= scatter->rms;
     any_within_scatter = any_within_scatter || within;
-    rows.back()[3 + column] = millimetres(error.rmse) + (within ? "*" : "");
+    rows.back()[3 + column] = input.units.height.number(error.rmse) + (within ? "*" : "");
   }
   for (std::vector<std::string>& row : scatter_rows(input, times)) rows.push_back(std::move(row));
-  std::string text =
-      "<h3>Root mean square difference [mm]</h3>\n" + html::table(heads, rows, "lll" + std::string(times.size(), 'r'));
+  std::string text = fmt::format("<h3>Root mean square difference [{}]</h3>\n", input.units.height.name) +
+                     html::table(heads, rows, "lll" + std::string(times.size(), 'r'));
   if (input.repeatability.empty()) return text;
   return text + fmt::format(
                     "<p class=\"small\">The scatter is the difference between runs that should be equal; "
@@ -96,22 +89,23 @@ std::string rmse_table(const ReportInput& input, const std::vector<CurveError>& 
 }
 
 // All numbers of errors.csv along x.
-std::string full_table(const std::vector<CurveError>& all) {
+std::string full_table(const std::vector<CurveError>& all, const PageUnit& height) {
   std::vector<std::vector<std::string>> rows;
+  const std::string unit = height.name + "]";
   std::string last_pair;
   for (const CurveError& e : all) {
     const std::string pair = escape(e.compared) + " against " + escape(e.reference);
     if (pair != last_pair) rows.push_back({pair});
     last_pair = pair;
     const auto place = [](double x) { return html::typeset(fmt::format("{:.3f}", x)); };
-    rows.push_back({title_of(e.curve), fmt::format("{:g}", e.time), millimetres(e.rmse), percent(e.normalised_rmse),
-                    signed_millimetres(e.bias), signed_millimetres(e.largest_error), place(e.largest_error_at),
+    rows.push_back({title_of(e.curve), fmt::format("{:g}", e.time), height.number(e.rmse), percent(e.normalised_rmse),
+                    height.signed_number(e.bias), height.signed_number(e.largest_error), place(e.largest_error_at),
                     std::isnan(e.brier_skill) ? "–" : html::typeset(fmt::format("{:.2f}", e.brier_skill)),
                     fmt::format("{}", e.points), place(e.from) + " … " + place(e.to)});
   }
   return "<h3>In full</h3>\n" +
-         html::table({"curve", "t [s]", "RMSE [mm]", "of range", "bias [mm]", "largest [mm]", "at x [m]", "skill",
-                      "points", "common range [m]"},
+         html::table({"curve", "t [s]", "RMSE [" + unit, "of range", "bias [" + unit, "largest [" + unit, "at x [m]",
+                      "skill", "points", "common range [m]"},
                      rows, "lrrrrrrrrr", "long wide") +
          fmt::format("<p class=\"small\">{}. Numbers: <a href=\"errors.csv\">report/errors.csv</a>.</p>\n",
                      escape(comparison_method));
@@ -128,26 +122,26 @@ std::string extremes(const ReportInput& input) {
     last_pair = pair;
     std::string quantity = scalar.quantity;
     std::replace(quantity.begin(), quantity.end(), '_', ' ');
-    const auto cell = [](double value) {
-      return std::isnan(value) ? "–" : html::typeset(fmt::format("{:.4f}", value));
-    };
-    const double error = scalar.compared_value - scalar.reference_value;
-    rows.push_back({quantity, fmt::format("{:g}", scalar.time), cell(scalar.compared_value),
-                    cell(scalar.reference_value),
-                    std::isnan(error) ? "–" : html::typeset(fmt::format("{:+.4f}", error))});
+    // Heights have the page's unit, places metres.
+    const bool is_height = scalar.quantity == "scour" || scalar.quantity == "deposition";
+    const PageUnit unit = is_height ? input.units.height : PageUnit{"m", 1, 3};
+    rows.push_back({fmt::format("{} [{}]", quantity, unit.name), fmt::format("{:g}", scalar.time),
+                    html::typeset(unit.number(scalar.compared_value)),
+                    html::typeset(unit.number(scalar.reference_value)),
+                    unit.signed_number(scalar.compared_value - scalar.reference_value)});
   }
   if (rows.empty()) return "";
   return "<h3>Front, deepest scour and highest deposition</h3>\n" +
-         html::table({"quantity", "t [s]", "compared [m]", "against [m]", "difference [m]"}, rows, "lrrrr") +
+         html::table({"quantity", "t [s]", "compared", "against", "difference"}, rows, "lrrrr") +
          fmt::format(
-             "<p class=\"small\">Along the profile{}, within the range compared. Front: largest x with more than {:g} "
-             "mm of water, for every method. Scour and deposition: fall and rise of the bed, the top of the "
+             "<p class=\"small\">Along the profile{}, within the range compared. Front: largest x with more than {} "
+             "of water, for every method. Scour and deposition: fall and rise of the bed, the top of the "
              "sediment whether it moves or not, since the start. Numbers: <a "
              "href=\"scalars.csv\">report/scalars.csv</a>; of the whole bed, this run's alone: <a "
              "href=\"../profiles/series.csv\">profiles/series.csv</a>.</p>\n",
              input.resolved.info.dimension == 3 ? fmt::format(" in the plane y = {:g} m", input.extraction.plane_y)
                                                 : "",
-             1e3 * least_layer * input.extraction.info.spacing);
+             input.units.height.text(least_layer * input.extraction.info.spacing));
 }
 
 }  // namespace
@@ -161,7 +155,7 @@ std::string errors(const ReportInput& input) {
   std::vector<CurveError> along_x = input.comparison.errors;
   std::erase_if(along_x, [](const CurveError& error) { return !error.line.empty(); });  // in errors.csv only
   if (along_x.empty()) return text + "<p>There was nothing to compare the run with.</p>\n";
-  text += rmse_table(input, along_x) + full_table(along_x) + extremes(input);
+  text += rmse_table(input, along_x) + full_table(along_x, input.units.height) + extremes(input);
   if (!input.comparison.remarks.empty()) {
     text += "<ul class=\"small\">\n";
     for (const std::string& remark : input.comparison.remarks) text += "<li>" + escape(remark) + "</li>\n";

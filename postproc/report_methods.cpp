@@ -13,36 +13,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string millimetres(double metres) { return std::isnan(metres) ? "–" : fmt::format("{:.1f}", 1e3 * metres); }
-
 }  // namespace
 
 std::string methods(const ReportInput& input, const fs::path& pictures) {
   if (input.methods.empty()) return "";
   std::string text = "<h2>Speed against error</h2>\n";
   std::vector<std::vector<std::string>> rows;
+  const PageUnit& height = input.units.height;
   bool bands = false;
   for (const Method& method : input.methods) {
     bands = bands || has_band(method);
     for (const MethodRun& run : method.runs) {
       const bool finest = &run == &method.runs.front();
       rows.push_back({html::escape(run.label), html::grouped(run.elements), html::grouped(run.steps),
-                      fmt::format("{:.1f}", run.cpu_seconds), html::grouped(run.element_steps_per_second()),
-                      finest ? "finest" : millimetres(run.error_free_surface),
-                      finest ? "finest" : millimetres(run.error_bed)});
+                      input.units.cost.number(run.cpu_seconds), html::grouped(run.element_steps_per_second()),
+                      finest ? "finest" : height.number(run.error_free_surface),
+                      finest ? "finest" : height.number(run.error_bed)});
     }
   }
-  text += html::table({"method", "particles or cells", "steps", "CPU s", "element steps / CPU s",
-                       "free surface, distance from the finest [mm]", "bed [mm]"},
-                      rows, "lrrrrrr", "wide");
+  text += html::table(
+      {"method", "particles or cells", "steps", fmt::format("CPU [{}]", input.units.cost.name), "element steps / CPU s",
+       fmt::format("free surface, distance from the finest [{}]", height.name), fmt::format("bed [{}]", height.name)},
+      rows, "lrrrrrr", "wide");
   const std::string cost = html::inline_svg(pictures / "cost.svg", "cost", "Speed against error of both methods");
   if (!cost.empty()) {
-    text += "<figure>\n" + cost +
+    text += "<div class=\"pair\">\n<figure>\n" + cost +
             "<figcaption>CPU time of each run, and the distance of its bed, or of its free surface without a bed, from "
             "the finest "
             "run of the same method. "
             "The finest runs themselves are not shown. The distance shows the effect of the resolution; it does not "
-            "show how close a method is to reality.</figcaption>\n</figure>\n";
+            "show how close a method is to reality.</figcaption>\n</figure>\n</div>\n";
   }
   text += "<p class=\"small\">Root mean square over all times compared; <a href=\"cost.csv\">cost.csv</a>.</p>\n";
   if (!bands) return text;

@@ -50,15 +50,9 @@ std::string sample_of(const ReportInput& input, std::size_t s) {
          mark + "</svg>";
 }
 
-std::string seconds(const std::optional<double>& value) {
-  if (!value) return "–";
-  if (*value < 120) return fmt::format("{:.1f} s", *value);
-  return *value < 7200 ? fmt::format("{:.1f} min", *value / 60) : fmt::format("{:.1f} h", *value / 3600);
-}
-
 std::string whole(const std::optional<double>& value) { return value ? html::grouped(*value) : "–"; }
 
-// "1.8–3.7": the smallest and the largest root mean square of one curve between two sources over the times [mm].
+// "1.8–3.7": the smallest and the largest root mean square of one curve between two sources over the times.
 std::string range_of_rms(const ReportInput& input, const std::string& reference, const std::string& compared,
                          const char* curve) {
   double low = INFINITY;
@@ -70,8 +64,8 @@ std::string range_of_rms(const ReportInput& input, const std::string& reference,
     high = std::max(high, error.rmse);
   }
   if (low > high) return "–";
-  const std::string least = fmt::format("{:.1f}", 1e3 * low);
-  const std::string most = fmt::format("{:.1f}", 1e3 * high);
+  const std::string least = input.units.height.number(low);
+  const std::string most = input.units.height.number(high);
   return least == most ? most : least + "–" + most;
 }
 
@@ -84,7 +78,7 @@ std::string range_of_scatter(const ReportInput& input, const char* curve) {
     high = std::max(high, known.rms);
   }
   if (low > high) return "–";
-  return fmt::format("{:.1f}–{:.1f}", 1e3 * low, 1e3 * high);
+  return input.units.height.number(low) + "–" + input.units.height.number(high);
 }
 
 // The source with which the others are compared at the top of the page: the measurement if there is one, or this run.
@@ -140,12 +134,14 @@ std::string paraview_figure(const fs::path& picture) {
 std::string scene(const ReportInput& input, const fs::path& pictures) {
   const std::string plane =
       input.resolved.info.dimension == 3 ? fmt::format(" in the plane y = {:g} m", input.extraction.plane_y) : "";
-  std::string text = figure(html::inline_png(pictures / "scene.png", "The scene at the start"),
-                            fmt::format("The scene at the start{}, heights not exaggerated.", plane));
+  std::string text =
+      "<h2>The scene</h2>\n" + figure(html::inline_png(pictures / "scene.png", "The scene at the start"),
+                                      fmt::format("The scene at the start{}, heights not exaggerated.", plane));
   const std::vector<fs::path> shots = paraview_pictures(input);
   if (shots.empty()) {
     return text +
-           "<p class=\"small\">In ParaView: <code>paraview --script=view.py</code>; <code>pvbatch view.py --pictures "
+           "<p class=\"small onscreen\">In ParaView: <code>paraview --script=view.py</code>; <code>pvbatch view.py "
+           "--pictures "
            "report/paraview</code> saves pictures, which the next report shows here.</p>\n";
   }
   return text + paraview_figure(shots.back());
@@ -171,11 +167,12 @@ std::string which_is_which(const ReportInput& input) {
     std::vector<std::string> row{sample_of(input, s), escape(set.label), kind_of(set)};
     const std::vector<Quantity>* summary = summary_of(input, set);
     const auto number = [&](const char* name) { return summary ? number_of(*summary, name) : std::nullopt; };
+    const auto cost = [&](const char* name) { return input.units.cost.number(number(name).value_or(NAN)); };
     const std::optional<double> parts = number(set.kind == SourceKind::run ? "fluid_particles" : "cells");
     row.push_back(whole(parts) + (parts ? set.kind == SourceKind::run ? " particles" : " cells" : ""));
     row.push_back(whole(number("steps")));
-    row.push_back(seconds(number("wall_seconds")));
-    row.push_back(seconds(number("cpu_seconds")));
+    row.push_back(cost("wall_seconds"));
+    row.push_back(cost("cpu_seconds"));
     for (const char* curve : {"free_surface", "bed"}) {
       std::string rms = range_of_rms(input, reference.label, set.label, curve);
       if (rms == "–") rms = range_of_rms(input, set.label, reference.label, curve);
@@ -191,9 +188,12 @@ std::string which_is_which(const ReportInput& input) {
                     range_of_scatter(input, "free_surface"), range_of_scatter(input, "bed")});
   }
   const std::string against = reference.kind == SourceKind::measured ? "the measurement" : "this run";
-  std::string text = "<h2>Which is which, how far apart, and what it cost</h2>\n" +
-                     html::table({"drawn as", "source", "method", "size", "steps", "wall clock", "CPU",
-                                  "free surface off by [mm]", "bed off by [mm]"},
+  std::string text = "<h2>Which is which, how far apart, and what it cost</h2>\n" + what_is_seen(input) +
+                     html::table({"drawn as", "source", "method", "size", "steps",
+                                  fmt::format("wall clock [{}]", input.units.cost.name),
+                                  fmt::format("CPU [{}]", input.units.cost.name),
+                                  fmt::format("free surface off by [{}]", input.units.height.name),
+                                  fmt::format("bed off by [{}]", input.units.height.name)},
                                  rows, "lllrrrrrr", "wide overview");
   text += fmt::format(
       "<p class=\"small\">Off by: root mean square distance from {} over x, the smallest and the largest of the times "
@@ -214,20 +214,20 @@ std::string space_time(const ReportInput& input, const fs::path& pictures) {
              html::inline_png(pictures / "space_time.png", "Change of the bed over place and time"),
              fmt::format(
                  "Change of the bed's level since the start{} at {} times: brown where it has risen, blue-green where "
-                 "it has sunk. The line is the water's front. Largest change: {:.1f} mm. Numbers: <a "
+                 "it has sunk. The line is the water's front. Largest change: {}. Numbers: <a "
                  "href=\"data/bed_change.csv\">report/data/bed_change.csv</a>.",
                  input.resolved.info.dimension == 3 ? fmt::format(" in the plane y = {:g} m", input.extraction.plane_y)
                                                     : "",
-                 bed.times, 1e3 * bed.largest));
+                 bed.times, input.units.height.text(bed.largest)));
 }
 
-std::string space_view(const SpaceScene& scene) {
+std::string space_view(const ReportInput& input, const SpaceScene& scene) {
   if (scene.data.empty()) return "";
   return "<h2>The run in three dimensions</h2>\n<figure id=\"scene\">\n<div class=\"canvas\"></div>\n<div "
          "class=\"controls\">"
          "<button type=\"button\">play</button><input type=\"range\" min=\"0\" step=\"1\" aria-label=\"time\">"
          "<output></output><label><input type=\"checkbox\" name=\"water\" checked> water</label>" +
-         fmt::format("<span class=\"scale\">−{0:.0f} mm <i></i> +{0:.0f} mm</span></div>\n", 1e3 * scene.largest) +
+         fmt::format("<span class=\"scale\">−{0} <i></i> +{0}</span></div>\n", input.units.height.text(scene.largest)) +
          fmt::format(
              "<figcaption>The bed under the water's surface at {} times{}. The bed is brown where it has risen since "
              "the start and blue-green where it has sunk. Drag to turn, wheel to zoom, shift and drag to "
@@ -248,6 +248,10 @@ std::string hover(const ReportInput& input) {
                   {"right", profile_area.right},
                   {"bottom", profile_area.bottom},
                   {"top", profile_area.top}};
+  const PageUnit& height = input.units.height;
+  data["unit"] = height.name;
+  data["decimals"] = height.decimals;
+  const double digits = std::pow(10, height.decimals + 1);
   data["x_from"] = frame.x_from;
   data["x_to"] = frame.x_to;
   data["pictures"] = nlohmann::json::array();
@@ -262,7 +266,8 @@ std::string hover(const ReportInput& input) {
         for (std::size_t i = 0; i < found->profile.x.size(); ++i) {
           const double value = (found->profile.*curves[c].values)[i];
           x.push_back(std::round(1e5 * found->profile.x[i]) / 1e5);
-          z.push_back(std::isnan(value) ? nlohmann::json() : nlohmann::json(std::round(1e5 * value) / 1e2));  // [mm]
+          z.push_back(std::isnan(value) ? nlohmann::json()
+                                        : nlohmann::json(std::round(value / height.size * digits) / digits));
         }
         series.push_back({{"curve", curves[c].title},
                           {"source", escape(set.label)},

@@ -66,16 +66,17 @@ std::string profiles(const ReportInput& input, const std::filesystem::path& pict
 
 std::string front_and_energies(const ReportInput& input, const std::filesystem::path& pictures) {
   const std::string width = input.resolved.info.dimension == 2 ? ", per metre of width" : "";
-  const bool front = has_front(input.extraction);
+  // Of a current that lasts, the front is no event.
+  const bool front = has_front(input.extraction) && !input.resolved.has_lasting_current();
   if (!front && input.history.rows == 0) return "";
   std::string text = fmt::format("<h2>{}</h2>\n<div class=\"pair\">\n", front ? "Front and energies" : "Energies");
   if (front) {
     text +=
         figure(html::inline_svg(pictures / "front.svg", "front", "Water front against time"),
-               fmt::format("Water front: largest x with more than {:g} mm of water over the bed (half a spacing), all "
+               fmt::format("Water front: largest x with more than {} of water over the bed (half a spacing), all "
                            "sources measured alike. Numbers: <a href=\"../profiles/front.csv\">profiles/front.csv</a>, "
                            "<a href=\"fronts.csv\">report/fronts.csv</a>.",
-                           1e3 * least_layer * input.extraction.info.spacing));
+                           input.units.height.text(least_layer * input.extraction.info.spacing)));
   }
   if (input.history.rows > 0) {
     text +=

@@ -19,13 +19,19 @@ a { color: var(--accent); text-decoration: none; } a:hover { text-decoration: un
 .source { color: var(--soft); font-style: italic; margin: 0 0 4px; max-width: none; }
 .meta { color: var(--soft); font-size: 13px; margin: 0; max-width: none; }
 .meta b { color: var(--ink); font-weight: 500; }
-.tiles { display: grid; grid-template-columns: repeat(6, 1fr); margin: 22px 0 6px; border-top: 1px solid var(--rule); border-bottom: 1px solid var(--rule); }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(120px, 1fr)); margin: 22px 0 6px; border-top: 1px solid var(--rule); border-bottom: 1px solid var(--rule); }
 .tile { padding: 12px 8px 10px 14px; border-left: 1px solid var(--rule); }
 .tile:first-child { border-left: 0; padding-left: 0; }
 .tile .v { font-size: 22px; font-weight: 600; letter-spacing: -0.01em; white-space: nowrap; }
 .tile .v span { font-size: 13px; font-weight: 400; color: var(--soft); }
 .tile .k { font-size: 12px; color: var(--soft); line-height: 1.3; }
-.lead { font-size: 17px; max-width: none; }
+.lead { max-width: none; }
+.asked { font-size: 17px; max-width: none; margin: 14px 0 0; } .asked b { font-family: "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; font-weight: 600; }
+.answer { display: grid; grid-template-columns: 210px 1fr; gap: 28px; margin: 16px 0 0; padding: 14px 0 12px; border-top: 2px solid var(--ink); border-bottom: 1px solid var(--rule); break-inside: avoid; }
+.answer .v { font: 600 44px/1.1 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; letter-spacing: -0.02em; white-space: nowrap; } .answer .v span { font-size: 20px; font-weight: 400; color: var(--soft); }
+.answer .k, .answer dl { font: 14px/1.4 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; } .answer .k { color: var(--soft); font-size: 15px; }
+.answer dl { display: grid; grid-template-columns: 7em 1fr; gap: 3px 14px; margin: 0; } .answer dt { color: var(--soft); } .answer dd { margin: 0; }
+.answer + h2 { margin-top: 20px; border-top: 0; padding-top: 0; }
 figure { margin: 12px 0 18px; break-inside: avoid; }
 figure svg, figure img { display: block; width: 100%; height: auto; }
 figcaption { font-size: 12.5px; line-height: 1.45; color: var(--soft); margin-top: 4px; }
@@ -61,10 +67,10 @@ code { font: 12.5px "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wra
 .controls input[type=range] { flex: 1; } .controls output { min-width: 6em; }
 .scale i { display: inline-block; width: 110px; height: 10px; vertical-align: baseline; background: linear-gradient(90deg, #005951, #59b5ab, #decca8, #bf822e, #543005); }
 .missing { border: 1px dashed var(--rule); color: var(--soft); padding: 18px; font-size: 14px; }
-@media screen and (max-width: 760px) { .tiles { grid-template-columns: repeat(3, 1fr); } .pair { grid-template-columns: 1fr; } }
+@media screen and (max-width: 760px) { .tiles { grid-template-columns: repeat(3, 1fr); } .pair, .answer { grid-template-columns: 1fr; } }
 @page { size: A4; margin: 16mm 15mm; }
-@media print { .hair, .values, .controls { display: none !important; } body { max-width: none; padding: 0; font-size: 10.5pt; } h1 { font-size: 19pt; } h2 { font-size: 13pt; margin-top: 22pt; break-after: avoid; } h3 { break-after: avoid; }
-  .lead { font-size: 11pt; } table { font-size: 9pt; } .tile .v { font-size: 14pt; } a { color: inherit; } }
+@media print { .hair, .values, .controls, .onscreen { display: none !important; } body { max-width: none; padding: 0; font-size: 10.5pt; } h1 { font-size: 19pt; } h2 { font-size: 13pt; margin-top: 22pt; break-after: avoid; } h3 { break-after: avoid; }
+  .lead { font-size: 11pt; } p { orphans: 3; widows: 3; } table { font-size: 9pt; } .tile .v { font-size: 14pt; } a { color: inherit; } }
 )css";
 
 }  // namespace thalweg

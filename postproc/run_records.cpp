@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <fstream>
 #include <map>
 
 #include "common/csv.hpp"
@@ -59,6 +61,8 @@ History read_history(const fs::path& file) {
   if (!table) return history;
   history.rows = table->rows();
   history.dt = table->numbers("dt", "s");
+  for (const double speed : numbers_in(*table, "max_speed", "m/s"))
+    history.max_speed = std::fmax(history.max_speed, speed);
   history.internal_energy = numbers_in(*table, "internal_energy", "J");
   history.water_mass = numbers_in(*table, "water_mass", "kg");
   history.sediment_mass = numbers_in(*table, "sediment_mass", "kg");
@@ -95,6 +99,24 @@ std::vector<Repeatability> read_repeatability(const fs::path& file) {
   std::vector<Repeatability> scatter;
   for (std::size_t row = 0; row < curves.size(); ++row) scatter.push_back({curves[row], times[row], rms[row]});
   return scatter;
+}
+
+Computed read_computed(const RunFolder& run) {
+  Computed found;
+  std::string line;
+  std::ifstream lock(run.lock());
+  std::getline(lock, line);
+  constexpr std::string_view before_host = " on ";
+  if (const std::size_t at = line.rfind(before_host); at != std::string::npos) {
+    found.host = line.substr(at + before_host.size());
+  }
+  constexpr std::size_t minutes = 16;  // "2026-11-27 23:58"
+  constexpr std::size_t program = 24;  // after the milliseconds
+  std::ifstream log(run.log());
+  while (std::getline(log, line)) {
+    if (line.size() > program && line.compare(program, 7, "solver ") == 0) found.until = line.substr(0, minutes);
+  }
+  return found;
 }
 
 std::vector<std::string> comments_in(const fs::path& file) { return CsvTable::read(file).comments; }

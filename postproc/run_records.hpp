@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "common/run_folder.hpp"
+
 namespace thalweg {
 
 /// A row of a summary.csv.
@@ -30,6 +32,7 @@ struct History {
   std::size_t rows = 0;
   std::vector<Share> limiters;  // most frequent first
   std::vector<double> dt;       // [s]
+  double max_speed = 0;         // [m/s] largest; 0 where the table does not tell
   std::vector<double> internal_energy;
   std::vector<double> water_mass;     // [kg], 2-D [kg/m]
   std::vector<double> sediment_mass;  // [kg], 2-D [kg/m]
@@ -54,6 +57,14 @@ struct Repeatability {
   double rms = 0;   // [m]
 };
 std::vector<Repeatability> read_repeatability(const std::filesystem::path& file);
+
+/// The machine that computed a run, and the last minute at which it did ("2026-11-27 23:58", its local time): from the run's
+/// lock and log. Empty where these do not tell.
+struct Computed {
+  std::string host;
+  std::string until;
+};
+Computed read_computed(const RunFolder& run);
 
 /// The leading "# " lines of a CSV file.
 std::vector<std::string> comments_in(const std::filesystem::path& file);

@@ -1,15 +1,19 @@
 #include "postproc/scene3d.hpp"
 
 #include <vtkCellArray.h>
+#include <vtkContourFilter.h>
 #include <vtkDataArray.h>
 #include <vtkDecimatePro.h>
 #include <vtkIdList.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
+#include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -82,26 +86,70 @@ nlohmann::json json_of(vtkPolyData* surface, double& largest) {
   return json;
 }
 
-// The wall particles inside the space that the fluid fills at the start, at any height: piers and the like, not the
-// container.
-std::vector<float> bodies_in(const ParticleSet& particles) {
-  Vec3 low = Vec3::Constant(INFINITY);
-  Vec3 high = -low;
+/// The box of the centres of all particles that count, and a margin around it [m].
+template <class Counts>
+std::array<Vec3, 2> box_around(const ParticleSet& particles, const Counts& counts, double margin) {
+  std::array<Vec3, 2> box{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (!is_fluid(particles.type[i])) continue;
-    low = low.cwiseMin(particles.position[i]);
-    high = high.cwiseMax(particles.position[i]);
+    if (!counts(i)) continue;
+    box[0] = box[0].cwiseMin(particles.position[i]);
+    box[1] = box[1].cwiseMax(particles.position[i]);
   }
-  const double margin = particles.info.spacing;
-  std::vector<float> bodies;
+  return {box[0] - Vec3::Constant(margin), box[1] + Vec3::Constant(margin)};
+}
+
+/// The surface around the lattice points of the wall particles that count, half a spacing outside them and smoothed; null
+/// without any, and where a lattice around them would not fit into memory.
+template <class Counts>
+vtkSmartPointer<vtkPolyData> surface_around(const ParticleSet& particles, const Counts& counts) {
+  const double step = particles.info.spacing;
+  const auto [low, high] = box_around(particles, counts, step);
+  if (!(low.x() < high.x())) return nullptr;
+  const Eigen::Array3d steps = ((high - low) / step).array().round() + 1;
+  constexpr double most_nodes = 2e7;
+  if (steps.prod() > most_nodes) return nullptr;
+  const vtkNew<vtkImageData> lattice;
+  lattice->SetDimensions(static_cast<int>(steps.x()), static_cast<int>(steps.y()), static_cast<int>(steps.z()));
+  lattice->SetOrigin(low.data());
+  lattice->SetSpacing(step, step, step);
+  lattice->AllocateScalars(VTK_FLOAT, 1);
+  auto* const filled = static_cast<float*>(lattice->GetScalarPointer());
+  std::fill_n(filled, lattice->GetNumberOfPoints(), 0.F);
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (!counts(i)) continue;
+    const vtkIdType node =
+        lattice->FindPoint(particles.position[i].x(), particles.position[i].y(), particles.position[i].z());
+    if (node >= 0) filled[node] = 1;
+  }
+  const vtkNew<vtkContourFilter> contour;
+  contour->SetInputData(lattice);
+  contour->SetValue(0, 0.5);
+  const vtkNew<vtkWindowedSincPolyDataFilter> smooth;
+  smooth->SetInputConnection(contour->GetOutputPort());
+  smooth->SetNumberOfIterations(20);
+  smooth->SetPassBand(0.1);
+  smooth->Update();
+  return smooth->GetOutput();
+}
+
+/// The walls as surfaces: bodies in the space that the fluid fills at the start, at any height, such as piers; and the
+/// container around it.
+void add_walls(const ParticleSet& particles, nlohmann::json& data, SpaceScene& scene) {
+  const auto [low, high] = box_around(
+      particles, [&](std::size_t i) { return is_fluid(particles.type[i]); }, -particles.info.spacing);
+  const auto is_body = [&, low = low, high = high](std::size_t i) {
     const Vec3& at = particles.position[i];
-    const bool inside = at.x() > low.x() + margin && at.x() < high.x() - margin && at.y() > low.y() + margin &&
-                        at.y() < high.y() - margin && at.z() >= low.z();
-    if (!is_wall(particles.type[i]) || !inside) continue;
-    for (const int axis : {0, 1, 2}) bodies.push_back(static_cast<float>(at[axis]));
-  }
-  return bodies;
+    return at.x() > low.x() && at.x() < high.x() && at.y() > low.y() && at.y() < high.y() &&
+           at.z() >= low.z() - particles.info.spacing;
+  };
+  const auto add = [&](const char* name, bool bodies) {
+    const vtkSmartPointer<vtkPolyData> surface =
+        surface_around(particles, [&](std::size_t i) { return is_wall(particles.type[i]) && is_body(i) == bodies; });
+    double ignored = 0;
+    if (surface != nullptr) data[name] = json_of(triangles_of(surface, scene), ignored);
+  };
+  add("bodies", true);
+  add("walls", false);
 }
 
 void add_surfaces(const fs::path& series, const char* name, std::map<double, nlohmann::json>& frames, double& largest,
@@ -146,10 +194,9 @@ SpaceScene make_space_scene(const ReportInput& input) {
   scene.frames = list.size();
   scene.largest = std::max(largest, 1e-3);
   const fs::path start = input.run.particles();
-  nlohmann::json data{{"spacing", input.extraction.info.spacing},
-                      {"largest", scene.largest},
-                      {"bodies", fs::exists(start) ? base64_of(bodies_in(read_particles(start))) : ""},
-                      {"frames", std::move(list)}};
+  nlohmann::json data{
+      {"spacing", input.extraction.info.spacing}, {"largest", scene.largest}, {"frames", std::move(list)}};
+  if (fs::exists(start)) add_walls(read_particles(start), data, scene);
   scene.data = data.dump();
   return scene;
 }

@@ -18,17 +18,21 @@ ScourRecord read_scour(const Case& of, const std::filesystem::path& history) {
   const CsvTable table = CsvTable::read(history, LastLine::may_be_cut);
   const std::vector<double> time = table.numbers("bed_time", "s");
   const std::vector<double> depth = table.numbers("bed_scour", "m");
+  const std::vector<double> x = table.numbers("bed_scour_x", "m");
+  const std::vector<double> y = table.numbers("bed_scour_y", "m");
+  const std::vector<double> water = table.numbers("time", "s");
   for (std::size_t i = 0; i < time.size(); ++i) {
     // Rows between two bed steps say the same again.
     if (record.time.empty() ? time[i] > 0 : time[i] > record.time.back()) {
       record.time.push_back(time[i]);
       record.depth.push_back(depth[i]);
+      record.x.push_back(x[i]);
+      record.y.push_back(y[i]);
+      record.water.push_back(water[i]);
     }
   }
   if (record.time.empty()) return record;
-  record.at[0] = table.numbers("bed_scour_x", "m").back();
-  record.at[1] = table.numbers("bed_scour_y", "m").back();
-  record.water_time = table.numbers("time", "s").back();
+  record.water_time = water.back();
   record.fed = table.numbers("bed_fed", "m^3").back();
   record.left = table.numbers("bed_left", "m^3").back();
   record.steps = std::lround(table.numbers("bed_steps", "-").back());
@@ -51,6 +55,12 @@ double scour_at(const ScourRecord& record, double time) {
   return depth_before;
 }
 
+double bed_time_at(const ScourRecord& record, double time) {
+  double bed_time = 0;
+  for (std::size_t n = 0; n < record.time.size() && record.water[n] <= time + 1e-9; ++n) bed_time = record.time[n];
+  return bed_time;
+}
+
 std::vector<ScourCheck> read_scour_checks(const RunFolder& run, const ScourRecord& main) {
   std::vector<ScourCheck> checks;
   if (main.time.empty()) return checks;
@@ -62,6 +72,7 @@ std::vector<ScourCheck> read_scour_checks(const RunFolder& run, const ScourRecor
       ScourCheck check;
       check.label = slower ? fmt::format("factor {:g}", of.surface_bed.factor)
                            : "spacing " + format_quantity(of.numerics.spacing, "m");
+      check.of_spacing = !slower;
       check.record = read_scour(of, beside.history());
       if (check.record.time.empty()) continue;
       check.time = std::min(main.time.back(), check.record.time.back());
@@ -78,6 +89,7 @@ void write_scour(const std::filesystem::path& file, const ScourRecord& record) {
   std::vector<CsvColumn> columns{{"time", "s"}, {"depth", "m"}};
   if (fitted) columns.push_back({"fit", "m"});
   CsvTable table(columns);
+  table.add_row(fitted ? std::vector<std::string>{"0", "0", "0"} : std::vector<std::string>{"0", "0"});
   for (std::size_t row = 0; row < record.time.size(); ++row) {
     std::vector<std::string> cells{csv_number(record.time[row]), csv_number(record.depth[row])};
     if (fitted) {

@@ -14,7 +14,9 @@ namespace thalweg {
 struct ScourRecord {
   std::vector<double> time;   // [s] of the bed, at each bed step
   std::vector<double> depth;  // [m]
-  double at[2] = {};          // [m] x and y of the deepest place in the end
+  std::vector<double> x;      // [m] of the deepest place
+  std::vector<double> y;      // [m]
+  std::vector<double> water;  // [s] time of the water
   double water_time = 0;      // [s] that the water was computed for
   double fed = 0;             // [m^3] volume of grains that came in (2-D: [m^2])
   double left = 0;            // [m^3] and that went out
@@ -25,7 +27,8 @@ struct ScourRecord {
 
 /// The hole of a run beside the main one, with another factor or spacing.
 struct ScourCheck {
-  std::string label;  // "factor 2", "spacing 10 mm"
+  std::string label;        // "factor 2", "spacing 10 mm"
+  bool of_spacing = false;  // and not of the factor
   ScourRecord record;
   double time = 0;     // [s] of the bed, the latest that both runs have
   double depth = 0;    // [m] at that time, in this run
@@ -38,10 +41,13 @@ std::vector<ScourCheck> read_scour_checks(const RunFolder& run, const ScourRecor
 /// Depth of the hole [m] at a time [s] of the bed, linear between bed steps.
 double scour_at(const ScourRecord& record, double time);
 
+/// The bed's time [s] when the water's is `time` [s].
+double bed_time_at(const ScourRecord& record, double time);
+
 /// Reads it from history.csv; without times for other beds, and before the first bed step. Throws InputError.
 ScourRecord read_scour(const Case& of, const std::filesystem::path& history);
 
-/// Writes time [s], depth [m], and the fitted curve [m] where the equilibrium was reached.
+/// Writes time [s], depth [m] from the start on, and the fitted curve [m] where the equilibrium was reached.
 void write_scour(const std::filesystem::path& file, const ScourRecord& record);
 
 }  // namespace thalweg

@@ -55,4 +55,15 @@ SnapshotList find_snapshots(const RunFolder& run) {
   return list;
 }
 
+ParticleSet first_readable(const std::vector<SeriesEntry>& entries) {
+  for (const SeriesEntry& entry : entries) {
+    try {
+      return read_particles(entry.file);
+    } catch (const InputError&) {
+      if (&entry == &entries.back()) throw;
+    }
+  }
+  throw InputError("there is no snapshot; compute the run again");
+}
+
 }  // namespace thalweg

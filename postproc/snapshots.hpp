@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/io/series.hpp"
+#include "common/particles.hpp"
 #include "common/run_folder.hpp"
 
 namespace thalweg {
@@ -19,5 +20,8 @@ struct SnapshotList {
 /// Takes the times from snapshots.pvd or, where that is missing or damaged, from the files in snapshots/.
 /// Throws InputError when the run has no snapshot.
 SnapshotList find_snapshots(const RunFolder& run);
+
+/// The first snapshot that can be read; the pass over them warns of the others. Throws InputError if there is none.
+ParticleSet first_readable(const std::vector<SeriesEntry>& entries);
 
 }  // namespace thalweg

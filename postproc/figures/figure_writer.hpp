@@ -8,6 +8,7 @@
 #include "postproc/figures/picture_frame.hpp"
 #include "postproc/figures/source_look.hpp"
 #include "postproc/opening_records.hpp"
+#include "postproc/report_units.hpp"
 #include "postproc/velocity_stations.hpp"
 
 namespace thalweg {
@@ -17,12 +18,6 @@ struct MeshStations {
   std::string label;
   std::filesystem::path table;
   std::vector<VelocityStation> stations;
-};
-
-/// The hole of a run beside the main one, and the table that holds it (write_scour()).
-struct ScourCurve {
-  std::string label;
-  std::filesystem::path table;
 };
 
 /// Writes gnuplot scripts into one folder. Each draws NAME.svg and NAME.png beside itself, from CSV files named by
@@ -36,7 +31,7 @@ class FigureWriter {
   /// Curves of all sets at `time`; set s has its profiles in data_folders[s], as write_profile writes them.
   [[nodiscard]] std::filesystem::path profiles(double time, const std::vector<ProfileSet>& sets,
                                                const std::vector<std::filesystem::path>& data_folders,
-                                               const PictureFrame& frame) const;
+                                               const PictureFrame& frame, const PageUnit& height) const;
 
   /// Water front against time: the run's own series `front` and a table `fronts` with a column "LABEL [m]" per set.
   [[nodiscard]] std::filesystem::path front(const std::filesystem::path& front, const std::filesystem::path& fronts,
@@ -50,17 +45,13 @@ class FigureWriter {
   [[nodiscard]] std::filesystem::path discharges(const std::filesystem::path& table, const OpeningRecords& records,
                                                  const std::string& unit) const;
   [[nodiscard]] std::filesystem::path levels_at_openings(const std::filesystem::path& table,
-                                                         const OpeningRecords& records) const;
-
-  /// Depth of the scour against the bed's time, from a table of write_scour(), and of runs beside.
-  [[nodiscard]] std::filesystem::path scour(const std::filesystem::path& table, bool has_fit,
-                                            const std::vector<ScourCurve>& beside) const;
+                                                         const OpeningRecords& records, const PageUnit& height) const;
 
   /// Velocity profiles and their logarithmic laws, from a table of write_velocity_stations(); those of mesh models beside
   /// them.
   [[nodiscard]] std::filesystem::path stations(const std::filesystem::path& table,
                                                const std::vector<VelocityStation>& stations,
-                                               const std::vector<MeshStations>& meshes) const;
+                                               const std::vector<MeshStations>& meshes, const PageUnit& height) const;
 
   /// Particles by kind, speed and pressure, heights not exaggerated (PNG only).
   [[nodiscard]] std::filesystem::path particles(const ParticleTable& table, const PictureFrame& frame,
@@ -73,7 +64,8 @@ class FigureWriter {
   /// The bed's change of level over place and time from the table of a BedHistory, and the water's `front` over it (PNG
   /// only); `largest` [m] ends the colours.
   [[nodiscard]] std::filesystem::path space_time(const std::filesystem::path& table, const std::filesystem::path& front,
-                                                 const PictureFrame& frame, double spacing, double largest) const;
+                                                 const PictureFrame& frame, double spacing, double largest,
+                                                 const PageUnit& height) const;
 
   /// Any other picture of width x height [pixels]: `body` is settings and then one command `plot`.
   [[nodiscard]] std::filesystem::path write(const std::string& name, int width, int height,

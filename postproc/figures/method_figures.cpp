@@ -48,7 +48,7 @@ fs::path write_band(const fs::path& folder, const Method& method, double time) {
 
 // The bands and lines of all mesh models at one time; empty without any.
 std::vector<std::string> band_plots(const FigureWriter& writer, const fs::path& folder,
-                                    const std::vector<Method>& methods, double time) {
+                                    const std::vector<Method>& methods, double time, const PageUnit& height) {
   std::vector<std::string> parts;
   std::size_t colour = 0;
   for (const Method& method : methods) {
@@ -60,12 +60,12 @@ std::vector<std::string> band_plots(const FigureWriter& writer, const fs::path& 
     const std::string data = writer.data(file);
     for (const char* curve : {"free_surface", "bed"}) {
       parts.insert(parts.begin(),
-                   fmt::format("{0} using (column('x [m]')):(1e3*column('{1} [m]')):(1e3*column('{1}_coarse [m]')) "
+                   fmt::format("{0} using (column('x [m]')):({3}*column('{1} [m]')):({3}*column('{1}_coarse [m]')) "
                                "with filledcurves fs transparent solid 0.6 noborder fc rgb '{2}' notitle",
-                               data, curve, method_tints[c]));
+                               data, curve, method_tints[c], height.factor()));
       parts.push_back(
-          fmt::format("{} using (column('x [m]')):(1e3*column('{} [m]')) with lines lw 1.6 lc rgb '{}' {}", data, curve,
-                      method_colours[c],
+          fmt::format("{} using (column('x [m]')):({}*column('{} [m]')) with lines lw 1.6 lc rgb '{}' {}", data,
+                      height.factor(), curve, method_colours[c],
                       std::string(curve) == "bed" ? "title " + gnuplot_string(method.runs[0].label) : "notitle"));
     }
   }
@@ -75,20 +75,21 @@ std::vector<std::string> band_plots(const FigureWriter& writer, const fs::path& 
 // The figure of one time, or nothing without any mesh model to show.
 std::optional<fs::path> band_script(const FigureWriter& writer, const fs::path& folder,
                                     const std::vector<Method>& methods, const ProfileSet& particles,
-                                    const TimedProfile& timed, const PictureFrame& frame) {
-  std::vector<std::string> parts = band_plots(writer, folder, methods, timed.time);
+                                    const TimedProfile& timed, const PictureFrame& frame, const PageUnit& height) {
+  std::vector<std::string> parts = band_plots(writer, folder, methods, timed.time, height);
   if (parts.empty()) return std::nullopt;
   for (const char* curve : {"free_surface", "bed"}) {
     parts.push_back(
-        fmt::format("{} using (column('x [m]')):(1e3*column('{} [m]')) with lines lw 1.8 lc rgb '#1a1a1a' {}",
-                    writer.data(timed.file), curve,
+        fmt::format("{} using (column('x [m]')):({}*column('{} [m]')) with lines lw 1.8 lc rgb '#1a1a1a' {}",
+                    writer.data(timed.file), height.factor(), curve,
                     std::string(curve) == "bed" ? "title " + gnuplot_string(particles.label) : "notitle"));
   }
   return writer.write("band_" + picture_name(timed.time), 1000, 270,
                       fill_template(embedded::script_band, {{"x_from", fmt::format("{:g}", frame.x_from)},
                                                             {"x_to", fmt::format("{:g}", frame.x_to)},
-                                                            {"z_from", fmt::format("{:g}", 1e3 * frame.z_from)},
-                                                            {"z_to", fmt::format("{:g}", 1e3 * frame.z_to)},
+                                                            {"z_from", fmt::format("{:g}", frame.z_from / height.size)},
+                                                            {"z_to", fmt::format("{:g}", frame.z_to / height.size)},
+                                                            {"unit", height.name},
                                                             {"time", fmt::format("{:g}", timed.time)},
                                                             {"curves", joined_plots(parts)}}));
 }
@@ -102,22 +103,23 @@ bool has_distance(const std::vector<Method>& methods, double MethodRun::*distanc
 
 // Distances of the bed, or of the free surface where there is no bed.
 std::optional<fs::path> cost_script(const FigureWriter& writer, const fs::path& costs,
-                                    const std::vector<Method>& methods) {
+                                    const std::vector<Method>& methods, const PageUnit& height) {
   const bool has_bed = has_distance(methods, &MethodRun::error_bed);
   if (!has_bed && !has_distance(methods, &MethodRun::error_free_surface)) return std::nullopt;
   std::vector<std::string> parts;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (methods[m].runs.size() < 2) continue;
-    parts.push_back(
-        fmt::format("{} using (strcol('method') eq {} ? column('cpu [s]') : NaN):(1e3*column('error_{} "
-                    "[m]')) with linespoints pt {} ps 1 lw 1.8 lc rgb '{}' title {}",
-                    writer.data(costs), gnuplot_string(methods[m].name), has_bed ? "bed" : "free_surface",
-                    5 + 2 * (m % 4), method_colours[m % method_colours.size()], gnuplot_string(methods[m].name)));
+    parts.push_back(fmt::format(
+        "{} using (strcol('method') eq {} ? column('cpu [s]') : NaN):({}*column('error_{} "
+        "[m]')) with linespoints pt {} ps 1 lw 1.8 lc rgb '{}' title {}",
+        writer.data(costs), gnuplot_string(methods[m].name), height.factor(), has_bed ? "bed" : "free_surface",
+        5 + 2 * (m % 4), method_colours[m % method_colours.size()], gnuplot_string(methods[m].name)));
   }
   if (parts.empty()) return std::nullopt;
   return writer.write("cost", 490, 300,
-                      fill_template(embedded::script_cost,
-                                    {{"title", has_bed ? "bed" : "free surface"}, {"curves", joined_plots(parts)}}));
+                      fill_template(embedded::script_cost, {{"unit", height.name},
+                                                            {"title", has_bed ? "bed" : "free surface"},
+                                                            {"curves", joined_plots(parts)}}));
 }
 
 }  // namespace
@@ -127,14 +129,14 @@ bool has_band(const Method& method) {
 }
 
 std::vector<fs::path> method_scripts(const std::vector<Method>& methods, const ProfileSet& particles,
-                                     const PictureFrame& frame, const RunFolder& run) {
+                                     const PictureFrame& frame, const RunFolder& run, const PageUnit& height) {
   const FigureWriter writer(run.report() / "pictures");
   std::vector<fs::path> scripts;
   for (const TimedProfile& timed : particles.profiles) {
-    const auto script = band_script(writer, run.report() / "data" / "bands", methods, particles, timed, frame);
+    const auto script = band_script(writer, run.report() / "data" / "bands", methods, particles, timed, frame, height);
     if (script) scripts.push_back(*script);
   }
-  if (const auto script = cost_script(writer, run.report() / "cost.csv", methods)) scripts.push_back(*script);
+  if (const auto script = cost_script(writer, run.report() / "cost.csv", methods, height)) scripts.push_back(*script);
   return scripts;
 }
 

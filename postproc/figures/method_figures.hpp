@@ -15,6 +15,7 @@ bool has_band(const Method& method);
 /// Writes the gnuplot scripts of the report's part on methods and their data: bands between fine and coarse meshes, and
 /// speed against error. Returns the scripts; throws RunError.
 std::vector<std::filesystem::path> method_scripts(const std::vector<Method>& methods, const ProfileSet& particles,
-                                                  const PictureFrame& frame, const RunFolder& run);
+                                                  const PictureFrame& frame, const RunFolder& run,
+                                                  const PageUnit& height);
 
 }  // namespace thalweg

@@ -32,21 +32,22 @@ std::filesystem::path FigureWriter::discharges(const std::filesystem::path& tabl
   }
   return write("discharges", 490, 300,
                fill_template(embedded::script_openings,
-                             {{"quantity", fmt::format("discharge  [{}]", unit)}, {"curves", joined_plots(parts)}}));
+                             {{"quantity", fmt::format("discharge  [{}]", PageUnit{unit, 1, 3}.drawn())},
+                              {"curves", joined_plots(parts)}}));
 }
 
 std::filesystem::path FigureWriter::levels_at_openings(const std::filesystem::path& table,
-                                                       const OpeningRecords& records) const {
+                                                       const OpeningRecords& records, const PageUnit& height) const {
   std::vector<std::string> parts;
   for (std::size_t n = 0; n < records.openings.size(); ++n) {
     const OpeningRecord& opening = records.openings[n];
     if (std::isnan(opening.mean_level)) continue;
     const std::string column = gnuplot_string(opening.name + "_level [m]");
-    parts.push_back(curve(data(table), opening, n, fmt::format("column({})", column)));
+    parts.push_back(curve(data(table), opening, n, fmt::format("{}*column({})", height.factor(), column)));
   }
-  return write(
-      "levels", 490, 300,
-      fill_template(embedded::script_openings, {{"quantity", "water level z  [m]"}, {"curves", joined_plots(parts)}}));
+  return write("levels", 490, 300,
+               fill_template(embedded::script_openings, {{"quantity", fmt::format("water level z  [{}]", height.name)},
+                                                         {"curves", joined_plots(parts)}}));
 }
 
 }  // namespace thalweg

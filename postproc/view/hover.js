@@ -31,10 +31,10 @@
       const x = data.x_from + part * (data.x_to - data.x_from);
       const rows = picture.series.map((series) => {
         const z = at(series, x);
-        const value = z === null ? "–" : z.toFixed(1);
+        const value = z === null ? "–" : z.toFixed(data.decimals);
         return `<tr><td style="color:${series.colour}">${series.curve}</td><td>${series.source}</td><td class="n">${value}</td></tr>`;
       });
-      box.innerHTML = `<b>x = ${x.toFixed(3)} m</b><table><tr><th></th><th></th><th class="n">z [mm]</th></tr>${rows.join("")}</table>`;
+      box.innerHTML = `<b>x = ${x.toFixed(3)} m</b><table><tr><th></th><th></th><th class="n">z [${data.unit}]</th></tr>${rows.join("")}</table>`;
       line.style.display = box.style.display = "block";
       const left = event.clientX - outer.left;
       line.style.left = left + "px";

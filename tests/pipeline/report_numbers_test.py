@@ -19,18 +19,18 @@ SPH = "Thalweg SPH"
 
 
 class Page(html.parser.HTMLParser):
-    """Tables as lists of rows under the heading before them, and the tiles as {caption: value}."""
+    """Tables as lists of rows under the heading before them, tiles as {caption: value}, facts of the answer as {name: text}."""
 
     def __init__(self):
         super().__init__()
-        self.heading, self.tables, self.tiles, self.lead = "", [], {}, ""
+        self.heading, self.tables, self.tiles, self.facts, self.lead = "", [], {}, {}, ""
         self.text, self.where, self.value, self.skip = "", None, "", 0
 
     def handle_starttag(self, tag, attributes):
         kind = dict(attributes).get("class", "")
         if tag in ("script", "style", "svg"):
             self.skip += 1
-        if tag in ("h2", "h3", "th", "td"):
+        if tag in ("h2", "h3", "th", "td", "dt", "dd"):
             self.text, self.where = "", tag
         if tag == "table":
             self.tables.append((self.heading, []))
@@ -49,6 +49,10 @@ class Page(html.parser.HTMLParser):
             self.heading = text
         elif tag in ("th", "td") and self.where == tag:
             self.tables[-1][1][-1].append(text)
+        elif tag == "dt" and self.where == tag:
+            self.value = text
+        elif tag == "dd" and self.where == tag:
+            self.facts[self.value] = text
         elif tag == "div" and self.where == "v":
             self.value = text
         elif tag == "div" and self.where == "k":
@@ -130,7 +134,8 @@ class Numbers(unittest.TestCase):
     def test_every_table_is_known(self):
         checked = {"Which is which, how far apart, and what it cost", "Root mean square difference [mm]", "In full",
                    "Front, deepest scour and highest deposition", "This run", "Where the time went",
-                   "What limited the time step", "The mesh model"}
+                   "What limited the time step", "The mesh model",
+                   "Depths of all methods, and what follows"}
         if (report / "cost.csv").exists():
             checked.add("Speed against error")
         of_the_case = {"What is on, what is off", "Constants", "Sources"}  # case.resolved.toml and texts
@@ -138,18 +143,58 @@ class Numbers(unittest.TestCase):
 
     def test_tiles(self):
         tiles = self.page.tiles
-        front = case.table(run / "profiles" / "front.csv")[-1]["front [m]"]
         for caption, key, factor, decimals in (("particles, walls included", "particles", 1, 0),
                                                ("time steps", "steps", 1, 0),
                                                ("wall-clock time", "wall_seconds", 1, 1),
+                                               ("processor time", "cpu_seconds", 1, 1),
                                                ("particle-steps per second", "particle_steps_per_second", 1e-6, 2)):
             shown = re.match(r"[0-9.]+", tiles[caption]).group()
-            factor = 1 / 60 if "min" in tiles[caption] else factor
             self.assertTrue(printed_as(shown, factor * self.summary[key], decimals), caption)
-        self.assertTrue(printed_as(tiles[f"water front at {case.END:g} s"].split()[0], front, 3))
-        whole = self.whole_bed()
-        caption = f"deepest scour of the whole bed at {case.END:g} s, x = {whole['scour_x [m]']:.3f} m"
-        self.assertTrue(printed_as(tiles[caption].split()[0], 1e3 * whole["scour [m]"], 1))
+
+    def test_answer(self):
+        series = case.table(run / "profiles" / "series.csv")
+        deepest = max(series, key=lambda row: row["scour [m]"])
+        facts = self.page.facts
+        self.assertTrue(printed_as(self.page.tiles["deepest scour"].split()[0], 1e3 * deepest["scour [m]"], 1))
+        self.assertEqual(facts["where"], f"x = {deepest['scour_x [m]']:.4f} m")
+        self.assertEqual(facts["when"], f"t = {deepest['time [s]']:.4g} s")
+        self.assertTrue(printed_as(facts["highest rise"].split()[0], 1e3 * series[-1]["deposition [m]"], 1))
+        fallen, risen = re.match(r"([0-9.]+) cm2 fallen, ([0-9.]+) cm2 risen", facts["volume"]).groups()
+        self.assertTrue(printed_as(fallen, 1e4 * series[-1]["eroded [m^2]"], 1))
+        self.assertTrue(printed_as(risen, 1e4 * series[-1]["deposited [m^2]"], 1))
+        # The picture's table holds the same.
+        for row, shown in zip(series, case.table(report / "data" / "bed_series.csv"), strict=True):
+            for name in ("time [s]", "scour [m]", "deposition [m]", "eroded [m^2]", "deposited [m^2]"):
+                self.assertAlmostEqual(row[name], shown[name], delta=1e-6, msg=name)
+
+    def test_band(self):
+        """The largest of: the change of the depth with twice the spacing, and the scatter of equal runs."""
+        depths = {}
+        coarse = case.table(run / "coarser" / "2x" / "profiles" / "series.csv")
+        fine = case.table(run / "profiles" / "series.csv")
+        end = min(coarse[-1]["time [s]"], fine[-1]["time [s]"])
+        for name, rows in (("coarse", coarse), ("fine", fine)):
+            depths[name] = max(row["scour [m]"] for row in rows if row["time [s]"] <= end)
+        scatter = max(row["rms [m]"] for row in case.table(case.CASE / "repeatability.csv") if row["curve"] == "bed")
+        half = max(abs(depths["coarse"] - depths["fine"]), scatter)
+        shown = re.match(r"± ([0-9.]+) mm", self.page.facts["band"]).group(1)
+        self.assertTrue(printed_as(shown, 1e3 * half, 1), self.page.facts["band"])
+
+    def test_depths_of_all_methods(self):
+        heads, *rows = self.page.table("Depths of all methods, and what follows")
+        known = {(row["reference"]): row for row in case.table(report / "scalars.csv")
+                 if not row["line"] and row["quantity"] == "scour" and row["compared"] == SPH
+                 and row["reference_value [m]"] is not None}  # the last time of each
+        shown = {row[0]: dict(zip(heads, row)) for row in rows}
+        self.assertEqual(set(shown), set(known))
+        half = float(re.match(r"± ([0-9.]+) mm", self.page.facts["band"]).group(1))
+        for name, row in known.items():
+            cells = shown[name]
+            for head, column in (("scour [mm]", "reference_value [m]"), ("this run [mm]", "compared_value [m]")):
+                self.assertTrue(printed_as(cells[head], 1e3 * row[column], 1), (name, head))
+            apart = 1e3 * abs(row["compared_value [m]"] - row["reference_value [m]"])
+            if abs(apart - half) > 0.1:
+                self.assertEqual(cells["what follows"], "the methods differ" if apart > half else "within the band: the same")
 
     def whole_bed(self):
         """The change of the bed at the last time. In the plane it is that of the profile, whose columns lie twice as far apart."""
@@ -166,7 +211,7 @@ class Numbers(unittest.TestCase):
 
     def test_lead(self):
         whole = self.whole_bed()
-        self.assertIn(f"scoured by up to {1e3 * whole['scour [m]']:.1f} mm (at x = {whole['scour_x [m]']:.3f} m)",
+        self.assertIn(f"scoured by up to {1e3 * whole['scour [m]']:.1f} mm (at x = {whole['scour_x [m]']:.4f} m)",
                       self.page.lead)
         self.assertIn(f"at rest (the moving bed's lower edge) has fallen by up to {1e3 * whole['resting_scour [m]']:.1f} mm",
                       self.page.lead)
@@ -230,9 +275,12 @@ class Numbers(unittest.TestCase):
         rows = [row for row in rows if len(row) == len(heads)]
         self.assertEqual(len(rows), len(scalars))
         for shown, row in zip(rows, scalars):
-            self.assertEqual(shown[0], row["quantity"].replace("_", " "))
+            is_height = row["quantity"] in ("scour", "deposition")
+            factor, decimals = (1e3, 1) if is_height else (1, 3)
+            self.assertEqual(shown[0], f"{row['quantity'].replace('_', ' ')} [{'mm' if is_height else 'm'}]")
             for cell, column in zip(shown[2:], ("compared_value [m]", "reference_value [m]", "error [m]")):
-                self.assertTrue(cell == "–" if row[column] is None else printed_as(cell, row[column], 4), (shown, row))
+                self.assertTrue(cell == "–" if row[column] is None else printed_as(cell, factor * row[column], decimals),
+                                (shown, row))
 
     def test_which_is_which(self):
         heads, *rows = self.page.table("Which is which, how far apart, and what it cost")
@@ -246,9 +294,8 @@ class Numbers(unittest.TestCase):
             row = by_name[name]
             self.assertEqual(float(row["size"].split()[0]), summary[size])
             self.assertEqual(float(row["steps"]), summary["steps"])
-            for head, key in (("wall clock", "wall_seconds"), ("CPU", "cpu_seconds")):
-                shown, unit = row[head].split()
-                self.assertTrue(printed_as(shown, summary[key] / {"s": 1, "min": 60}[unit], 1), (name, head))
+            for head, key in (("wall clock [s]", "wall_seconds"), ("CPU [s]", "cpu_seconds")):
+                self.assertTrue(printed_as(row[head], summary[key], 1), (name, head))
         for label in self.meshes:
             for curve in ("free surface", "bed"):
                 rms = [1e3 * row["rmse [m]"] for row in self.errors_of(SPH, label)

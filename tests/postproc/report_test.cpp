@@ -73,6 +73,25 @@ TEST(Postprocess, SaysAtTheTopThatARunFailedOrWasStopped) {
   EXPECT_THAT(head_of_page(), testing::Not(HasSubstr("class=\"warnings\"")));
 }
 
+TEST(Postprocess, ReportsWhereTheFirstSnapshotIsDamagedAndWhereThereIsOnlyOne) {
+  const TemporaryFolder folder("few_snapshots");
+  const SyntheticRun synthetic(folder.path());
+  synthetic.write();
+  const RunFolder& run = synthetic.folder();
+  write_text(run.snapshots() / "s00000.vtp", "<VTKFile");
+  PostprocessOptions options;
+  options.folder = run.root;
+  options.report = true;
+  // Once measured anew, once from what the first pass has left.
+  for (int pass = 0; pass < 2; ++pass) {
+    EXPECT_EQ(postprocess(options), Exit::run_failed);
+    EXPECT_THAT(contents_of(run.report() / "index.html"), HasSubstr("The bed before and after"));
+  }
+  write_series(run.snapshot_series(), {{0.25, "snapshots/s00005.vtp"}});
+  EXPECT_EQ(postprocess(options), Exit::run_failed);  // the case asks for 0.5 s
+  EXPECT_THAT(contents_of(run.report() / "index.html"), HasSubstr("nowhere: the bed has not fallen"));
+}
+
 TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
   const TemporaryFolder folder("report");
   const SyntheticRun synthetic(folder.path());
@@ -119,6 +138,23 @@ TEST(Postprocess, WritesProfilesFrontComparisonAndReport) {
   EXPECT_THAT(page, HasSubstr("cell size"));
   EXPECT_THAT(page, HasSubstr("mesh (finite volumes)"));
   EXPECT_THAT(page, HasSubstr("<figure id=\"figure_t0_250\">"));
+  // The question and the answer stand first, then the course over time, the bed, the methods and the cost.
+  std::size_t before = 0;
+  for (const char* part : {"class=\"asked\"", "class=\"answer\"", "Scour depth and volume against time",
+                           "<h2>The scene", "<h2>The bed before and after", "<h2>Depths of all methods",
+                           "<h2>Which is which", "<h2>Profiles", "<h2>What it cost"}) {
+    const std::size_t at = page.find(part);
+    ASSERT_NE(at, std::string::npos) << part;
+    EXPECT_GT(at, before) << part;
+    before = at;
+  }
+  // The deepest of series.csv, and the scatter of equal runs as its band.
+  const std::vector<double> scour = CsvTable::read(run.profiles() / "series.csv").numbers("scour", "m");
+  const double deepest = *std::max_element(scour.begin(), scour.end());
+  EXPECT_THAT(page, HasSubstr(fmt::format("<div class=\"v\">{:.1f} <span>mm</span>", 1e3 * deepest)));
+  EXPECT_THAT(page, HasSubstr("<dd>± 3.0\u00a0mm: equal runs scatter by 3.0\u00a0mm"));
+  EXPECT_THAT(page, HasSubstr("The snapshots of this run carry none"));
+  EXPECT_THAT(page, HasSubstr("host not recorded, date not recorded"));
   // A repeated pass reads what the first one measured, with the same result.
   const std::string bed_change = contents_of(run.report() / "data" / "bed_change.csv");
   ASSERT_EQ(postprocess(options), Exit::done);

@@ -1,5 +1,7 @@
 """The report's 3-D view in headless Chromium, without a network: space_view_test.py PAGE PICTURE"""
 
+import base64
+import json
 import pathlib
 import re
 import struct
@@ -60,6 +62,22 @@ class SpaceView(unittest.TestCase):
         self.assertGreater(brown, 0.01 * len(pixels))
         self.assertGreater(blue, 0.01 * len(pixels))
         self.assertGreater(len(set(pixels)), 500)
+        # The pier is solid and dark grey; the walls around the flow let bed and water be seen, as above.
+        dark = sum(max(pixel) < 110 and max(pixel) - min(pixel) < 12 for pixel in pixels)
+        self.assertGreater(dark, 0.002 * len(pixels))
+
+    def test_pier_and_walls_are_surfaces(self):
+        data = json.loads(re.search(r'id="scene-data">(.*?)</script>', page.read_text(), re.DOTALL).group(1))
+        for name, low, high in (("bodies", (0.55, 0.1), (0.65, 0.2)), ("walls", (-0.02, -0.02), (1.22, 0.32))):
+            raw = base64.b64decode(data[name]["points"])
+            points = [struct.unpack_from("<3f", raw, at) for at in range(0, len(raw), 12)]
+            self.assertGreater(len(points), 50)
+            for axis in (0, 1):
+                self.assertAlmostEqual(min(point[axis] for point in points), low[axis], delta=0.02, msg=name)
+                self.assertAlmostEqual(max(point[axis] for point in points), high[axis], delta=0.02, msg=name)
+
+    def test_says_nothing_on_the_console(self):
+        self.assertEqual(browser.console(page), [])
 
     def test_nothing_is_fetched(self):
         text = re.sub(r"<script.*?</script>", "", page.read_text(), flags=re.DOTALL)

@@ -1,5 +1,5 @@
 // Writes a page with the report's 3-D view of made-up surfaces: write_space_page FOLDER. A wave 0.02 m high travels
-// over a bed that sinks on the left and rises on the right; 12 triangles by 6 would be enough, 60 by 20 look like
+// over a bed that sinks on the left and rises on the right, around a pier in a flume; 12 triangles by 6 would be enough, 60 by 20 look like
 // something.
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "common/io/particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/whole_file.hpp"
 #include "postproc/report_sections.hpp"
@@ -50,6 +51,28 @@ void write_sheet(const fs::path& file, double (*height)(double x, double t), dou
 double bed(double x, double t) { return 0.06 - 0.05 * t * std::cos(5.236 * (x - 0.3)) * (x < 0.6 ? 1 : 0.8); }
 double water(double x, double t) { return 0.12 + 0.02 * std::sin(10 * (x - t)); }
 
+/// Water of a lattice of 20 mm in a flume, around a pier: what says where walls and bodies are.
+thalweg::ParticleSet start() {
+  thalweg::ParticleSet set;
+  constexpr double spacing = 0.02;
+  set.info.dimension = 3;
+  set.info.spacing = spacing;
+  for (int i = -1; i <= 60; ++i) {
+    for (int j = -1; j <= 15; ++j) {
+      for (int k = -1; k <= 9; ++k) {
+        const thalweg::Vec3 at(spacing * (i + 0.5), spacing * (j + 0.5), spacing * (k + 0.5));
+        const bool container = i < 0 || i > 59 || j < 0 || j > 14 || k < 0;
+        const bool pier = std::hypot(at.x() - 0.6, at.y() - 0.15) < 0.05;
+        if (!container && !pier && k > 5) continue;  // air
+        set.id.push_back(static_cast<std::int64_t>(set.size()));
+        set.type.push_back(container || pier ? thalweg::ParticleType::wall : thalweg::ParticleType::water);
+        set.position.push_back(at);
+      }
+    }
+  }
+  return set;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -73,6 +96,7 @@ int main(int argc, char** argv) {
   }
   thalweg::write_series(surfaces / "bed.pvd", beds);
   thalweg::write_series(surfaces / "free_surface.pvd", waters);
+  thalweg::write_particles(input.run.particles(), start(), thalweg::PositionPrecision::double_precision);
   const thalweg::SpaceScene scene = thalweg::make_space_scene(input);
   if (!scene.why_not.empty()) {
     std::cout << scene.why_not << '\n';
@@ -80,7 +104,7 @@ int main(int argc, char** argv) {
   }
   thalweg::write_whole_text(input.run.root / "index.html", [&](std::ostream& page) {
     page << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><style>" << thalweg::report_style
-         << "</style></head><body>" << thalweg::report_sections::space_view(scene) << "</body></html>\n";
+         << "</style></head><body>" << thalweg::report_sections::space_view(input, scene) << "</body></html>\n";
   });
   return 0;
 }

@@ -62,7 +62,7 @@ Part start_and_profiles(const Context& context) {
     }
   }
   for (const TimedProfile& timed : input.extraction.written) {
-    part.scripts.push_back(context.writer.profiles(timed.time, input.sets, folders, frame));
+    part.scripts.push_back(context.writer.profiles(timed.time, input.sets, folders, frame, height_unit(0, 0)));
   }
   part.html = [&context] {
     std::string text = "<h2>Figures 8 to 10: the start, and profiles with their RMSE</h2>\n" +

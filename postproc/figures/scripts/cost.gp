@@ -1,6 +1,6 @@
 set logscale xy
 set xlabel 'CPU time  [s]' offset 0,0.4
-set ylabel 'distance of the {{title}}  [mm]' offset 1,0
+set ylabel 'distance of the {{title}}  [{{unit}}]' offset 1,0
 set key top right samplen 2
 set bmargin 2.8
 set rmargin 2

@@ -1,7 +1,6 @@
-// The report's 3-D view: bed and free surface of a run, with a slider for the time. The data are in the page, base64 of
+// The report's 3-D view: bed and free surface of a run between its walls, with a slider for the time. The data are in the page, base64 of
 // little-endian arrays: points (float32, m), triangles (uint32), change of the bed's level (float32, m).
 import "@kitware/vtk.js/Rendering/Profiles/Geometry";
-import "@kitware/vtk.js/Rendering/OpenGL/SphereMapper";
 import vtkActor from "@kitware/vtk.js/Rendering/Core/Actor";
 import vtkColorTransferFunction from "@kitware/vtk.js/Rendering/Core/ColorTransferFunction";
 import vtkDataArray from "@kitware/vtk.js/Common/Core/DataArray";
@@ -9,7 +8,6 @@ import vtkGenericRenderWindow from "@kitware/vtk.js/Rendering/Misc/GenericRender
 import vtkMapper from "@kitware/vtk.js/Rendering/Core/Mapper";
 import vtkPolyData from "@kitware/vtk.js/Common/DataModel/PolyData";
 import vtkPolyDataNormals from "@kitware/vtk.js/Filters/Core/PolyDataNormals";
-import vtkSphereMapper from "@kitware/vtk.js/Rendering/Core/SphereMapper";
 
 const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer;
 const floats = (text) => new Float32Array(bytes(text));
@@ -64,17 +62,20 @@ function start() {
   waterActor.getProperty().setColor(0.3, 0.55, 0.8);
   waterActor.getProperty().setOpacity(0.25);
   waterActor.getProperty().setSpecular(0.3);
-  renderer.addActor(bedActor);
-  renderer.addActor(waterActor);
+  for (const actor of [bedActor, waterActor]) {
+    actor.setVisibility(false); // until it has a surface: the view draws before that
+    renderer.addActor(actor);
+  }
 
-  if (scene.bodies.length > 0) {
-    const bodies = vtkPolyData.newInstance();
-    bodies.getPoints().setData(floats(scene.bodies), 3);
-    const mapper = vtkSphereMapper.newInstance({ radius: 0.6 * scene.spacing });
-    mapper.setInputData(bodies);
+  // Piers and other bodies are solid; the walls around the flow let it be seen.
+  for (const [walls, grey, opacity] of [[scene.bodies, 0.42, 1], [scene.walls, 0.6, 0.12]]) {
+    if (!walls) continue;
+    const mapper = vtkMapper.newInstance({ scalarVisibility: false });
+    mapper.setInputData(surface(walls));
     const actor = vtkActor.newInstance();
     actor.setMapper(mapper);
-    actor.getProperty().setColor(0.6, 0.6, 0.6);
+    actor.getProperty().setColor(grey, grey, grey);
+    actor.getProperty().setOpacity(opacity);
     renderer.addActor(actor);
   }
 
