@@ -22,42 +22,40 @@ void keep_listed_places(Device& on, Particles<Device>& p) {
               }));
 }
 
-/// This rank's share of the scene; nullptr where there is one rank.
-template <int Dim, class Device>
-Share<Dim, Device>* share_of(Device& on) {
-  return static_cast<Share<Dim, Device>*>(on.shared);
-}
-
-/// Those of all ranks, in the order of their ids.
-template <class Device>
-std::vector<ExcludedParticle> of_all_ranks(Device& on, std::vector<ExcludedParticle> excluded) {
-  if (on.shared != nullptr) {
-    Ranks& ranks = on.shared->ranks;
-    Bytes mine;
-    append_to(mine, excluded.data(), excluded.size());
-    const auto all = exchange_any(ranks, std::vector<Bytes>(static_cast<std::size_t>(ranks.size()), mine));
-    excluded.clear();
-    for (const Bytes& of_rank : all) {
-      std::vector<ExcludedParticle> some(of_rank.size() / sizeof(ExcludedParticle));
-      MessageReader(of_rank).read(some.data(), some.size());
-      excluded.insert(excluded.end(), some.begin(), some.end());
-    }
+/// Calls what(share) with this rank's share of the scene; nothing where there is one rank.
+template <int Dim, class Device, class What>
+void with_share(Device& on, const What& what) {
+  if constexpr (Device::is_host) {
+    if (on.shared != nullptr) what(static_cast<Share<Dim, Device>&>(*on.shared));
   }
-  std::sort(excluded.begin(), excluded.end(),
-            [](const ExcludedParticle& a, const ExcludedParticle& b) { return a.id < b.id; });
-  return excluded;
 }
 
-/// Sorts the particles, and hands over to other ranks those that lie in their ranges.
+/// Those of all ranks.
+inline std::vector<ExcludedParticle> of_all_ranks(Ranks& ranks, const std::vector<ExcludedParticle>& excluded) {
+  Bytes mine;
+  append_to(mine, excluded.data(), excluded.size());
+  std::vector<ExcludedParticle> all;
+  for (const Bytes& of_rank : exchange_any(ranks, std::vector<Bytes>(static_cast<std::size_t>(ranks.size()), mine))) {
+    std::vector<ExcludedParticle> some(of_rank.size() / sizeof(ExcludedParticle));
+    MessageReader(of_rank).read(some.data(), some.size());
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+/// Sorts the particles, and hands over to other ranks those that lie in their ranges. Returns the excluded ones in the order
+/// of their ids.
 template <int Dim, class Device>
 std::vector<ExcludedParticle> put_in_order(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  auto* const share = share_of<Dim>(on);
-  if (share != nullptr) share->drop_copies(on, p, scene);
-  auto excluded = of_all_ranks(on, neighbours::sort_particles(on, p, scene));
-  if (share != nullptr) {
-    share->redistribute(on, p, scene);
-    share->find_copies(on, p, scene);
-  }
+  with_share<Dim>(on, [&](auto& share) { share.drop_copies(on, p, scene); });
+  auto excluded = neighbours::sort_particles(on, p, scene);
+  with_share<Dim>(on, [&](auto& share) {
+    excluded = of_all_ranks(share.ranks, excluded);
+    share.redistribute(on, p, scene);
+    share.find_copies(on, p, scene);
+  });
+  std::sort(excluded.begin(), excluded.end(),
+            [](const ExcludedParticle& a, const ExcludedParticle& b) { return a.id < b.id; });
   return excluded;
 }
 

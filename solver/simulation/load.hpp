@@ -187,18 +187,17 @@ void restore_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene, co
   on.upload(std::move(places), p.listed_at);
   swap_places(on, p);
   const bool in_order = neighbours::are_in_order(on, p, scene);
-  auto* const share = share_of<Dim>(on);
   if (in_order) {
-    if (share != nullptr) {
-      share->keep_range(on, p, scene);
-      share->find_copies(on, p, scene);
-    }
+    with_share<Dim>(on, [&](auto& share) {
+      share.keep_range(on, p, scene);
+      share.find_copies(on, p, scene);
+    });
     neighbours::build_lists(on, p, scene);
     if (scene.may_rest) list_active_clusters(on, p);
   }
   swap_places(on, p);
   if (!in_order) p.listed_at.resize(0);
-  if (share != nullptr) in_order ? share->bring_all(on, p, scene) : share->keep_part(on, p, scene);
+  with_share<Dim>(on, [&](auto& share) { in_order ? share.bring_all(on, p, scene) : share.keep_part(on, p, scene); });
 }
 
 }  // namespace thalweg
