@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -9,8 +11,11 @@
 namespace thalweg::test {
 namespace {
 
-const auto plus = [](double a, double b) { return a + b; };
-using Tree = BlockTree<double, decltype(plus)>;
+struct Plus {
+  double operator()(double a, double b) const { return a + b; }
+};
+constexpr Plus plus;
+using Tree = BlockTree<double, Plus>;
 
 std::vector<double> uneven_numbers(std::size_t n) {
   std::mt19937 random(11);
@@ -41,7 +46,9 @@ TEST(BlockTree, GivesTheSameBitsWhereverTheBlocksLie) {
     const double expected = alone.total(0.0);
     double plain = 0;
     for (const double number : numbers) plain += number;
-    if (n > 1000) EXPECT_NE(plain, expected) << "numbers whose sum does not depend on the order prove nothing";
+    if (n > 1000) {
+      EXPECT_NE(plain, expected) << "numbers whose sum does not depend on the order prove nothing";
+    }
     for (const int ranks : {1, 2, 3, 5}) {
       std::vector<std::size_t> cuts{0};
       for (int r = 1; r < ranks; ++r) cuts.push_back(random() % (n + 1));  // some ranks have none
