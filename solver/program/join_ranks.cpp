@@ -5,6 +5,9 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
 
 #include "common/error.hpp"
 #include "common/installation.hpp"
@@ -31,6 +34,9 @@ bool is_one_of_several() {
   return is_step_of_slurm();
 }
 
+namespace fs = std::filesystem;
+
+constexpr const char* status_file = "THALWEG_STATUS_FILE";
 constexpr const char* mpi_module = "thalweg_ranks_mpi.so";
 constexpr const char* cure =
     "install OpenMPI (Debian: apt install libopenmpi-dev openmpi-bin) and build again, or run on one rank";
@@ -49,14 +55,19 @@ std::unique_ptr<Ranks> join_ranks() {
   return ranks->size() > 1 ? std::move(ranks) : nullptr;
 }
 
-void become_ranks(int ranks, const std::vector<std::string>& arguments) {
-  if (find_module(mpi_module).empty())
+int run_on_ranks(int ranks, const std::vector<std::string>& arguments) {
+  if (find_module(mpi_module).empty()) {
     throw InputError(std::string("--ranks: this build of Thalweg has no MPI; ") + cure);
+  }
+  const fs::path told = fs::temp_directory_path() / ("thalweg-status-" + std::to_string(getpid()));
+  setenv(status_file, told.c_str(), 1);
   // OpenMPI's settings; other launchers do not read them. More ranks than cores wait for each other without turning in
-  // circles; ranks are not tied to a core, which their threads would share; after SIGTERM there is time for a checkpoint.
+  // circles; ranks are not tied to a core, which their threads would share; after SIGTERM there are some seconds for a
+  // checkpoint, which the others wait, too, after a rank was killed; one that refuses its input ends by itself.
   setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 0);
   setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 0);
-  setenv("OMPI_MCA_odls_base_sigkill_timeout", "120", 0);
+  setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 0);
+  setenv("OMPI_MCA_orte_abort_on_non_zero_status", "0", 0);
   setenv("OMPI_MCA_orte_execute_quiet", "1", 0);
   if (geteuid() == 0) {  // who runs as root, in a container, has decided so
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 0);
@@ -65,12 +76,24 @@ void become_ranks(int ranks, const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"mpirun", "-n", std::to_string(ranks),
                                    (program_folder() / "thalweg-solver").string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
+  int status = 0;
   try {
-    become(command);
+    status = run_in_foreground(command);
   } catch (const StartError& error) {
     if (!error.not_found()) throw;
     throw InputError(std::string("--ranks: mpirun is not installed; ") + cure);
   }
+  std::ifstream file(told);
+  if (int first_rank = 0; file >> first_rank) status = first_rank;
+  file.close();
+  std::error_code ignored;
+  fs::remove(told, ignored);
+  return status;
+}
+
+void tell_status(int status) {
+  const char* file = getenv(status_file);
+  if (file != nullptr) std::ofstream(file) << status;
 }
 
 }  // namespace thalweg

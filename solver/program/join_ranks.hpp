@@ -12,8 +12,11 @@ namespace thalweg {
 /// where this installation has no MPI.
 std::unique_ptr<Ranks> join_ranks();
 
-/// Replaces this program by mpirun with `ranks` of them, with these arguments; does not return. Throws InputError where
-/// there is no mpirun.
-[[noreturn]] void become_ranks(int ranks, const std::vector<std::string>& arguments);
+/// Runs this program on so many ranks, with these arguments, by mpirun. Returns the first rank's exit status. Throws
+/// InputError where there is no mpirun.
+int run_on_ranks(int ranks, const std::vector<std::string>& arguments);
+
+/// On the first rank, at its end: tells run_on_ranks() the status, of which mpirun keeps nothing.
+void tell_status(int status);
 
 }  // namespace thalweg

@@ -14,6 +14,8 @@
 
 namespace {
 
+bool leads = false;  // this is the first of several ranks
+
 /// The arguments of this program without --ranks.
 std::vector<std::string> without_ranks(int argc, char** argv) {
   std::vector<std::string> kept;
@@ -65,7 +67,8 @@ int solver(int argc, char** argv) {
                  "Change a key of the case, e.g. numerics.cfl=0.2 (numerics, model, output)");
   if (const auto status = thalweg::parse_command_line(app, argc, argv)) return *status;
   const auto shared = thalweg::join_ranks();
-  if (shared == nullptr && ranks > 1) thalweg::become_ranks(ranks, without_ranks(argc, argv));
+  if (shared == nullptr && ranks > 1) return thalweg::run_on_ranks(ranks, without_ranks(argc, argv));
+  leads = shared != nullptr && shared->rank() == 0;
   options.ranks = shared.get();
   thalweg::start_console();
   const auto status = static_cast<int>(thalweg::run_solver(options));
@@ -77,5 +80,7 @@ int solver(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   thalweg::catch_signals();
-  return thalweg::run_program(solver, argc, argv);
+  const int status = thalweg::run_program(solver, argc, argv);
+  if (leads) thalweg::tell_status(status);
+  return status;
 }

@@ -196,7 +196,10 @@ void restore_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene, co
     if (scene.may_rest) list_active_clusters(on, p);
   }
   swap_places(on, p);
-  if (!in_order) p.listed_at.resize(0);
+  if (!in_order) {  // no lists
+    p.listed_at.resize(0);
+    p.list_begin.resize(0);
+  }
   with_share<Dim>(on, [&](auto& share) { in_order ? share.bring_all(on, p, scene) : share.keep_part(on, p, scene); });
 }
 

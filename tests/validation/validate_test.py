@@ -49,9 +49,9 @@ class Validate(unittest.TestCase):
         told = json.loads(result.stdout)
         self.assertEqual((told["status"], told["pass"], told["fail"]), (1, 0, 1))
         self.assertIn("1 figures", result.stderr)
-        refused = json.loads(self.validate("[nonsense]\n", "--json", "--force").stdout)
+        refused = json.loads(self.validate("[level]\n", "--json", "--force").stdout)
         self.assertEqual(refused["status"], 2)
-        self.assertIn("nonsense", refused["errors"][0]["message"])
+        self.assertIn("measure is missing", refused["errors"][0]["message"])
 
     def test_a_figure_beyond_its_limit_fails(self):
         result = self.validate(level(value=0.12))
