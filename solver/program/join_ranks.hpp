@@ -16,7 +16,8 @@ std::unique_ptr<Ranks> join_ranks();
 /// InputError where there is no mpirun.
 int run_on_ranks(int ranks, const std::vector<std::string>& arguments);
 
-/// On the first rank, at its end: tells run_on_ranks() the status, of which mpirun keeps nothing.
-void tell_status(int status);
+/// On the first rank, at its end: tells run_on_ranks() the status, if that waits for it. Returns the status to end with: any
+/// but 0 makes mpirun take its time to end the others, which end by themselves.
+int tell_status(int status);
 
 }  // namespace thalweg

@@ -81,6 +81,5 @@ int solver(int argc, char** argv) {
 int main(int argc, char** argv) {
   thalweg::catch_signals();
   const int status = thalweg::run_program(solver, argc, argv);
-  if (leads) thalweg::tell_status(status);
-  return status;
+  return leads ? thalweg::tell_status(status) : status;
 }

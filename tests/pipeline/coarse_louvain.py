@@ -70,4 +70,5 @@ def solvers_under(process):
     known = {process}
     while more := {pid for pid, parent, _ in found if parent in known} - known:
         known |= more
-    return sorted(pid for pid, _, program in found if pid in known and program.endswith("thalweg-solver"))
+    parents = {parent for _, parent, _ in found}  # the one that has started mpirun is no rank
+    return sorted(pid for pid, _, program in found if pid in known - parents and program.endswith("thalweg-solver"))
