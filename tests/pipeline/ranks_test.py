@@ -72,10 +72,10 @@ class Ranks(unittest.TestCase):
                 self.assertEqual(one, other, f"snapshot of t = {at} s on {ranks} ranks")
 
     def test_a_process_that_dies_ends_the_run_which_goes_on_from_its_checkpoint(self):
-        self.fill(ENDLESS)
         for victim in (0, 1):
-            shutil.rmtree(self.run / "snapshots", ignore_errors=True)
-            process = self.solver("--force", "--ranks", 2)
+            shutil.rmtree(self.run, ignore_errors=True)
+            self.fill(ENDLESS)
+            process = self.solver("--ranks", 2)
             self.wait_for(lambda: len(self.snapshots()) > 2 and (self.run / "checkpoint.vtp").exists())
             ranks = case.solvers_under(process.pid)
             self.assertEqual(len(ranks), 2)
