@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/backend/buffer.hpp"
 #include "solver/backend/ranks.hpp"
 #include "solver/lists/sort.hpp"
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/backend/buffer.hpp"
 #include "solver/backend/ranks.hpp"
 #include "solver/lists/sort.hpp"
 
