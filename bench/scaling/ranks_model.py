@@ -2,8 +2,8 @@
 """Predicts how a scene runs on many ranks: ranks_model.py [--spacings "20 mm" …]
 
 The partition is counted, not guessed: list cells of a flume in the solver's own order (solver/lists/hilbert.hpp), cut into ranges
-of equal numbers of particles, and for each range the cells of others around it. What a step sends follows from the exchanges
-and collectives that runs report (summary.csv). Times are a sum of computing, latency and bandwidth; the figures they rest on
+of equal numbers of particles, and for each range the cells of others around it. How often a step sends and how much is assumed
+until runs have counted it (scaling.py --part ranks). Times are a sum of computing, latency and bandwidth; the figures they rest on
 are named at the end of the output, the measured ones with their records.
 """
 
@@ -17,12 +17,12 @@ FLUME = (5.0, 0.5, 0.3)  # [m]
 REACH = 3.3  # of the lists, in spacings: support 3, skin a tenth
 RANKS = (1, 2, 4, 8, 16, 64, 256, 1024, 4096)
 
-# Measured (bench/records/scaling-space.md, docs/ranks.md).
+# Measured (bench/records/scaling-space.md); rounded.
 NS_STEP = {"water": 270.0, "bed": 320.0}  # CPU ns a particle-step, one core, lists and viscous solve apart
 NS_LISTS = {"water": 430.0, "bed": 570.0}  # a particle, each time lists are made
 NS_ITERATION = 50.0  # a particle and viscous iteration
-STEPS_PER_LISTS = 15
-# Counted by the runs of docs/ranks.md: per step without the viscous solve, and per iteration.
+STEPS_PER_LISTS = 15  # assumed
+# Assumed, until scaling.py --part ranks has counted them: per step without the viscous solve, and per iteration.
 EXCHANGES = {"water": 5, "bed": 12}
 QUADS = {"water": 9, "bed": 22}  # quads of 16 bytes that these carry, of each copy
 COLLECTIVES = {"water": 3, "bed": 9}
@@ -127,7 +127,7 @@ def main():
                 alone.setdefault(kind, total)
                 cells += [f"{total * 1000:.3g}", f"{alone[kind] / total / ranks:.2f}"]
             print("| " + " | ".join(cells) + " |", flush=True)
-    print(f"\nAssumed: {LATENCY * 1e6:g} us a message, {HOP * 1e6:g} us a collective for each doubling of the ranks, "
+    print(f"\nAssumed: exchanges, quads and collectives of a step as the script has them, {LATENCY * 1e6:g} us a message, {HOP * 1e6:g} us a collective for each doubling of the ranks, "
           f"{BANDWIDTH / 1e9:g} GB/s a rank, {ITERATIONS} viscous iterations a step, new lists every {STEPS_PER_LISTS} steps, "
           "one core a rank, all ranks equally loaded, no overlap of computing and exchanging.")
     return 0
