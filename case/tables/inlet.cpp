@@ -104,6 +104,7 @@ std::string reason_against(const Inlet& inlet, const std::string& key, const Che
   const bool of_space = key == "width" || key == "diameter" || key == "flow_rate" || key == "flow_rates";
   if (of_space && at.dimension() == 2) return "in the plane";
   if (key == "times") return "without a table of velocities, discharges, flow_rates or levels";
+  if (key == "absorbs_waves") return fmt::format("with surface = \"{}\"", word_for(inlet.surface));
   if (key == "roughness" || key == "heights" || key == "speeds") {
     return fmt::format("with profile = \"{}\"", word_for(inlet.profile));
   }
@@ -134,6 +135,7 @@ bool Inlet::uses_key(std::string_view key, int dimension) const {
   if (key == "reference_height") return grains == InletGrains::rouse;
   if (key == "level") return surface == InletSurface::level && levels.empty();
   if (key == "levels") return surface == InletSurface::level && !levels.empty();
+  if (key == "absorbs_waves") return surface == InletSurface::follow;
   if (key == "roughness") return profile == InletProfile::log_law;
   if (key == "heights" || key == "speeds") return profile == InletProfile::table;
   return key != "times" || has_table(*this);  // the rest: surface, profile
@@ -159,6 +161,11 @@ void Inlet::check(const Case& whole, const CheckContext& at_table) const {
       standing.level = standing.upper_edge();
       standing.levels.clear();
       standing.check_levels(whole, at_table);
+      if (absorbs_waves && (velocity > 0 || !velocities.empty())) {
+        at_table.reject(at_table.key("absorbs_waves"),
+                        at_table.path() + " lets waves out and says how fast the water is, not how much enters",
+                        "give the discharge or the flow_rate, or remove absorbs_waves");
+      }
     }
   }
   check_profile(*this, whole, at_table);
@@ -178,6 +185,11 @@ void Inlet::read_files(const std::filesystem::path& folder) {
   } else {
     velocities = table.numbers("velocity", "m/s");
     check_time_rows(table, times, velocities);
+    if (absorbs_waves) {
+      throw InputError(table.where(0) + ": inlet." + name +
+                       " lets waves out and the file says how fast the water is, not how much enters; give the column "
+                       "discharge or flow_rate, or remove absorbs_waves");
+    }
   }
   if (table.has("level")) {
     levels = table.numbers("level", "m");

@@ -56,6 +56,7 @@ struct Inlet : Opening {
   std::vector<double> discharges;  // [m^2/s]
   std::vector<double> flow_rates;  // [m^3/s]
   InletSurface surface = InletSurface::full;
+  bool absorbs_waves = false;
   InletProfile profile = InletProfile::uniform;
   double roughness = 0;         // [m]
   std::vector<double> heights;  // [m]
@@ -80,6 +81,10 @@ struct Inlet : Opening {
            "flow_rate [m^3/s], and level [m] if it varies.");
     v.choice("surface", surface, "How much of the opening the water fills.");
     v.quantity("level", level, "m", -1e6, 1e6, "surface = \"level\": height z of the water's surface.");
+    v.flag(
+        "absorbs_waves", absorbs_waves,
+        "surface = \"follow\": long waves that come to the inlet leave through it, and for as long it brings less or "
+        "more than the discharge; else they are thrown back. Mesh models always throw them back.");
     v.choice("profile", profile, "How the velocity varies over the opening.");
     v.quantity("roughness", roughness, "m", 0, 1, "profile = \"log-law\": Nikuradse's roughness of the ground below.");
     v.quantities("heights", heights, "m", 0, 1e6, "profile = \"table\": heights over the opening's lower edge.");

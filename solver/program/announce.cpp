@@ -76,10 +76,10 @@ void announce_openings(const Case& c) {
   for (const Inlet& inlet : c.inlets) {
     const double area = inlet.area(c.info.dimension);
     const double rate = inlet.flow_rate_at(0, area, c.info.dimension);
-    announce_one(
-        "inlet", inlet,
-        fmt::format("{:.4g} {} at the start, profile {}, surface {}", rate, c.info.dimension == 2 ? "m^2/s" : "m^3/s",
-                    word_for(inlet.profile), word_for(inlet.surface)));
+    announce_one("inlet", inlet,
+                 fmt::format("{:.4g} {} at the start, profile {}, surface {}{}", rate,
+                             c.info.dimension == 2 ? "m^2/s" : "m^3/s", word_for(inlet.profile),
+                             word_for(inlet.surface), inlet.absorbs_waves ? ", waves leave through it" : ""));
   }
   for (const Outlet& outlet : c.outlets) announce_one("outlet", outlet, word_for(outlet.kind));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/water/equation_of_state.hpp"
+#include "physics/water/long_wave.hpp"
 #include "solver/backend/device.hpp"
 #include "solver/models/openings/zone.hpp"
 #include "solver/models/suspended_load/arrays.hpp"
@@ -140,9 +141,9 @@ struct WaterBesidePass {
 
 /// The water next to an opening after a step of dt [s]. The pressure of a full inlet follows within some passages of
 /// sound, an outlet's particles lose their deviation in four passages of its zone. A wave that runs out through the
-/// level of an outlet has the velocity u' and the height u' sqrt(H/g), H being the depth [m]: by that much the level gives
-/// way, or the wave would come back. It returns within 30 sqrt(H/g). depth: 0 where no level is imposed. `takes`: volume
-/// per time of a pump [m^3/s] (2-D: [m^2/s]).
+/// level of an outlet has the velocity u' and the height u' H/c, H being the depth [m]: by that much the level gives way, or
+/// the wave would come back (physics/water/long_wave.hpp). depth: 0 where no level is imposed. `takes`: volume per time of
+/// a pump [m^3/s] (2-D: [m^2/s]).
 HOST_DEVICE inline BesideOpening after_step(const BesideOpening& before, const WaterBeside& sum, double dt,
                                             double sound_time, const Zone& zone, double takes, double depth,
                                             double gravity) {
@@ -157,10 +158,7 @@ HOST_DEVICE inline BesideOpening after_step(const BesideOpening& before, const W
   now.change = now.speed - before.speed;
   now.swell = before.swell;
   if (depth > 0) {
-    const double passing = sqrt(depth / gravity);
-    constexpr double passages_of_swell = 30;
-    const double subsides = dt / (passages_of_swell * passing);
-    now.swell += now.change * passing - (subsides < 1 ? subsides : 1) * before.swell;
+    now.swell = swell_after(before.swell, now.change * depth / wave_speed(depth, gravity), dt, depth, gravity);
   }
   now.entry = zone.pumps ? now.speed - speed : 0;
   const double share = dt * (now.speed > 0 ? now.speed : 0) / (passages_of_zone * zone.length);

@@ -5,13 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "case/models/grains.hpp"
 #include "case/models/openings.hpp"
-#include "case/models/suspended_load.hpp"
-#include "physics/transport/lift_settling.hpp"
-#include "physics/transport/rouse.hpp"
 #include "physics/water/equation_of_state.hpp"
-#include "physics/water/log_profile.hpp"
+#include "solver/models/openings/make_grains_of_inlets.hpp"
+#include "solver/models/openings/waves_out.hpp"
 
 namespace thalweg {
 namespace {
@@ -70,14 +67,8 @@ class OpeningsOfCase final : public Openings {
         gravity_(of.domain.gravity.norm()),
         stiffness_(tait_stiffness(of.water.density, of.numerics.sound_speed_factor * of.numerics.maximum_speed)),
         layers_(static_cast<int>(std::floor(zone_length(of) / of.numerics.spacing))),
+        grains_of_inlets_(of),
         outlets_(of.outlets) {
-    if (models::SuspendedLoadOfWater::is_on(of)) {
-      bed_ = grains_of(of);
-      grain_density_ = bed_.density;
-      settling_velocity_ = settling_velocity(bed_.size_number(), bed_.diameter, viscosity_);
-      reference_level_ = reference_level_of(of);
-      grain_stress_ = grain_stress_of(of);
-    }
     for (const Inlet& inlet : of.inlets) add(inlet, of);
     for (const Outlet& outlet : outlets_) {
       Zone zone = zone_of(outlet, of);
@@ -86,16 +77,11 @@ class OpeningsOfCase final : public Openings {
       zones_.push_back(zone);
       names_.push_back(outlet.name);
     }
-    levels_.resize(zones_.size());
-    takes_.resize(zones_.size());
-    water_.resize(zones_.size());
-    sediment_.resize(zones_.size());
-    grains_.resize(zones_.size());
-    depths_.resize(zones_.size());
-    drying_.resize(zones_.size());
-    waiting_grains_.resize(zones_.size());
-    rates_.resize(zones_.size());
-    means_.resize(zones_.size());
+    for (std::vector<double>* of_zones :
+         {&levels_, &takes_, &water_, &sediment_, &grains_, &depths_, &drying_, &waiting_grains_, &rates_, &means_}) {
+      of_zones->resize(zones_.size());
+    }
+    waves_.resize(inlets_.size());
     speeds_.assign(columns_.size(), dry_column);
   }
 
@@ -104,9 +90,10 @@ class OpeningsOfCase final : public Openings {
   [[nodiscard]] const std::vector<double>& takes() const override { return takes_; }
   [[nodiscard]] const std::vector<float>& speeds() const override { return speeds_; }
 
-  void fill(double time, const std::vector<double>& depths, Population& population) override {
-    depths_ = depths;
+  void fill(double time, const std::vector<WaterAtOpening>& waters, Population& population) override {
+    for (std::size_t n = 0; n < zones_.size(); ++n) depths_[n] = waters[n].depth;
     set_levels(time);
+    let_waves_out(time, waters);
     set_returning();
     const std::vector<std::pair<std::size_t, std::size_t>> risen = choose_columns();
     set_speeds(time);  // on which the grains of the newborn depend
@@ -130,6 +117,7 @@ class OpeningsOfCase final : public Openings {
   }
 
   void advance(double dt, Population& population) override {
+    since_fill_ += dt;
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       const InletColumns& of = inlets_[n];
       for (std::size_t c = of.first; c < of.first + of.count; ++c) {
@@ -165,11 +153,13 @@ class OpeningsOfCase final : public Openings {
   }
 
   [[nodiscard]] std::vector<double> numbers() const override {
-    std::vector<double> out{returning_, water_of_pump_.value_or(0)};
+    std::vector<double> out{returning_, water_of_pump_.value_or(0), since_fill_};
     for (std::size_t n = 0; n < zones_.size(); ++n) {
       out.insert(out.end(),
                  {water_[n], sediment_[n], grains_[n], depths_[n], levels_[n], drying_[n], waiting_grains_[n]});
     }
+    for (const WavesOut& waves : waves_)
+      out.insert(out.end(), {waves.level, waves.height, waves.is_measured ? 1.0 : 0.0});
     for (const Column& column : columns_)
       out.insert(out.end(), {column.is_full ? 1.0 : 0.0, column.phase, column.mass});
     return out;
@@ -177,10 +167,11 @@ class OpeningsOfCase final : public Openings {
 
   [[nodiscard]] bool restored(const std::vector<double>& numbers) override {
     constexpr std::size_t of_zone = 7;
-    if (numbers.size() != 2 + of_zone * zones_.size() + 3 * columns_.size()) return false;
+    if (numbers.size() != 3 + of_zone * zones_.size() + 3 * waves_.size() + 3 * columns_.size()) return false;
     const double* next = numbers.data();
     returning_ = *next++;
     water_of_pump_ = *next++;
+    since_fill_ = *next++;
     for (std::size_t n = 0; n < zones_.size(); ++n, next += of_zone) {
       water_[n] = next[0];
       sediment_[n] = next[1];
@@ -189,6 +180,11 @@ class OpeningsOfCase final : public Openings {
       levels_[n] = next[4];
       drying_[n] = next[5];
       waiting_grains_[n] = next[6];
+    }
+    for (WavesOut& waves : waves_) {
+      waves.level = *next++;
+      waves.height = *next++;
+      waves.is_measured = *next++ != 0;
     }
     for (Column& column : columns_) {
       column.is_full = *next++ != 0;
@@ -237,6 +233,25 @@ class OpeningsOfCase final : public Openings {
     }
   }
 
+  /// Measures the waves that come to the inlets.
+  void let_waves_out(double time, const std::vector<WaterAtOpening>& waters) {
+    for (std::size_t n = 0; n < inlets_.size(); ++n) {
+      const Inlet& inlet = inlets_[n].inlet;
+      if (!inlet.absorbs_waves || !(waters[n].depth > 0)) continue;
+      const double asked = inlet.flow_rate_at(time, 0, dimension_) / inlet.extent_across(dimension_);
+      waves_[n].measure(waters[n], asked, since_fill_, gravity_);
+    }
+    since_fill_ = 0;
+  }
+
+  /// Volume per time that enters through an inlet whose full columns have an area [m^2] (2-D: [m]).
+  [[nodiscard]] double rate_of(std::size_t n, double time, double area) const {
+    const Inlet& inlet = inlets_[n].inlet;
+    const double asked = inlet.flow_rate_at(time, area, dimension_);
+    const double width = inlet.extent_across(dimension_);
+    return std::max(0.0, asked + width * waves_[n].discharge(asked / width, depths_[n], gravity_));
+  }
+
   /// Depth of the water in an inlet [m].
   [[nodiscard]] double depth_in(std::size_t n) const {
     const Zone& zone = zones_[n];
@@ -277,7 +292,7 @@ class OpeningsOfCase final : public Openings {
       const InletColumns& of = inlets_[n];
       double area = 0;
       for (std::size_t c = of.first; c < of.first + of.count; ++c) area += columns_[c].is_full ? of.cell : 0;
-      const double rate = of.inlet.flow_rate_at(time, area, dimension_);
+      const double rate = rate_of(n, time, area);
       const double mean = area > 0 ? rate / area : 0;
       rates_[n] = area > 0 ? rate : 0;
       means_[n] = mean;
@@ -314,20 +329,14 @@ class OpeningsOfCase final : public Openings {
     double gone = 0;
     for (std::size_t n = 0; n < zones_.size(); ++n) gone -= grains_[n] + waiting_grains_[n];
     constexpr double time = 1;  // [s]
-    returning_ = grain_density_ > 0 ? std::max(0.0, gone) / grain_density_ / time : 0;
+    returning_ = grains_of_inlets_.density() > 0 ? std::max(0.0, gone) / grains_of_inlets_.density() / time : 0;
   }
 
   /// Volume share of the grains in a column.
   [[nodiscard]] double concentration_in(std::size_t n, const Column& column) const {
     const Inlet& inlet = inlets_[n].inlet;
     if (inlet.grains == InletGrains::recirculated) return rates_[n] > 0 ? returning_ / rates_[n] : 0;
-    const double height = column.up + zones_[n].half_up;
-    if (inlet.grains != InletGrains::equilibrium) {
-      return inlet.concentration_at(height, depth_in(n), means_[n], viscosity_, settling_velocity_);
-    }
-    const double friction = friction_velocity_of_current(means_[n], depth_in(n), viscosity_, inlet.roughness);
-    return reference_concentration(bed_, std::sqrt(grain_stress_) * friction) *
-           rouse_share(height, reference_level_, depth_in(n), friction, settling_velocity_);
+    return grains_of_inlets_.concentration(inlet, column.up + zones_[n].half_up, depth_in(n), means_[n]);
   }
 
   /// A particle of a column, `layer` spacings behind its first.
@@ -348,21 +357,17 @@ class OpeningsOfCase final : public Openings {
     newborn.grains = concentration * inlets_[n].cell * spacing_;
     population.bear(newborn);
     column.mass = double(newborn.mass);
-    waiting_grains_[n] += newborn.grains * grain_density_;
+    waiting_grains_[n] += newborn.grains * grains_of_inlets_.density();
   }
 
   int dimension_;
-  double spacing_;                // [m]
-  double density_;                // [kg/m^3]
-  double viscosity_;              // [m^2/s]
-  double gravity_;                // [m/s^2]
-  double stiffness_;              // [Pa]
-  int layers_;                    // particles of a column
-  double grain_density_ = 0;      // [kg/m^3] 0 where water carries no grains
-  double settling_velocity_ = 0;  // [m/s] of one grain
-  double reference_level_ = 0;    // [m] over the bed
-  double grain_stress_ = 1;       // [-] share of the stress
-  Grains bed_;
+  double spacing_;    // [m]
+  double density_;    // [kg/m^3]
+  double viscosity_;  // [m^2/s]
+  double gravity_;    // [m/s^2]
+  double stiffness_;  // [Pa]
+  int layers_;        // particles of a column
+  GrainsOfInlets grains_of_inlets_;
   std::vector<Outlet> outlets_;
   std::vector<InletColumns> inlets_;
   std::vector<Column> columns_;  // of all inlets
@@ -373,6 +378,8 @@ class OpeningsOfCase final : public Openings {
   std::vector<double> takes_;            // [m^3/s] of pumps (2-D: [m^2/s])
   std::vector<double> rates_;            // [m^3/s] of inlets (2-D: [m^2/s])
   std::vector<double> means_;            // [m/s] mean velocities of inlets
+  std::vector<WavesOut> waves_;          // of inlets
+  double since_fill_ = 0;                // [s] since columns were chosen
   std::optional<double> water_of_pump_;  // [kg] net_water() that a pump keeps
   double returning_ = 0;                 // [m^3/s] grains that come back (2-D: [m^2/s])
   std::vector<double> water_;            // [kg] that has come in, less what has gone out

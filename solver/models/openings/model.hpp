@@ -52,21 +52,22 @@ WaterBesidePass<Dim> water_beside(const Particles<Device>& p, const Scene<Dim>& 
 /// True if the zone follows the water next to it.
 inline bool uses_water_beside(const Zone& zone) { return zone.enters ? zone.is_full : !zone.falls; }
 
-/// Depth of the water next to each opening [m]; 0 at those that do not stand upright. all: p.fluid(), or all particles
-/// where they are not in order yet.
+/// The water next to each opening; none at those that do not stand upright. all: p.fluid(), or all particles where they
+/// are not in order yet.
 template <int Dim, class Device, class Count>
-std::vector<double> depths_at_openings(Device& on, const Particles<Device>& p, const Scene<Dim>& scene,
-                                       const OpeningsWork<Device>& work, Count all) {
-  std::vector<double> depths;
+std::vector<WaterAtOpening> waters_at_openings(Device& on, const Particles<Device>& p, const Scene<Dim>& scene,
+                                               const OpeningsWork<Device>& work, Count all) {
   const std::vector<Zone>& zones = work.openings->zones();
+  std::vector<WaterAtOpening> waters(zones.size());
   for (std::size_t n = 0; n < zones.size(); ++n) {
-    depths.push_back(0);
     if (!zones[n].upright) continue;
     const WaterBeside sum = on.reduce(all, WaterBeside{}, water_beside(p, scene, work, n, false),
                                       [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; });
-    depths.back() = sum.volume / (zones[n].length * 2 * zones[n].half_across);
+    waters[n].depth = sum.volume / (zones[n].length * 2 * zones[n].half_across);
+    const double weight = -double(scene.water_density) * double(scene.gravity[Dim - 1]);
+    waters[n].level = zones[n].at[2] + (sum.volume > 0 ? sum.pressure / sum.volume / weight : 0);
   }
-  return depths;
+  return waters;
 }
 
 /// Mass of the grains that water takes with it where it leaves [kg].
@@ -104,7 +105,7 @@ struct OpeningsModel {
   template <class Device, class Scene, class Workspace>
   static void before_lists(Device& on, Particles<Device>& p, const Scene& scene, Workspace& work) {
     Openings& openings = *work.openings;
-    openings.fill(time_of_openings(work), depths_at_openings(on, p, scene, work, p.fluid()), work.population);
+    openings.fill(time_of_openings(work), waters_at_openings(on, p, scene, work, p.fluid()), work.population);
     upload_openings(on, work);
     for (std::size_t n = 0; n < openings.zones().size(); ++n) {
       const double grains = grains_leaving(on, p, scene, leaving(p, work, n, false));
@@ -188,7 +189,7 @@ void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
       if (sum.volume > 0) beside[n].pressure = sum.pressure / sum.volume, beside[n].speed = sum.speed / sum.volume;
     }
     const Index before = p.count;
-    openings->fill(time_of_openings(work), depths_at_openings(on, p, scene, work, p.count), work.population);
+    openings->fill(time_of_openings(work), waters_at_openings(on, p, scene, work, p.count), work.population);
     work.population.admit(on, p, scene);
     p.fluid_count += p.count - before;
   } else {

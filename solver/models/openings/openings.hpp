@@ -11,6 +11,12 @@
 
 namespace thalweg {
 
+/// The scene's water next to an opening that stands upright.
+struct WaterAtOpening {
+  double depth = 0;  // [m] over its lower edge
+  double level = 0;  // [m] z of the surface under which the mean pressure is hydrostatic
+};
+
 /// The openings of a scene as the host keeps them: who enters where and when. Made from a case (make_openings.hpp); the
 /// steps know it through this.
 class Openings {
@@ -26,9 +32,9 @@ class Openings {
   /// Speed of every column of the inlets [m/s]; dry_column where no water enters.
   [[nodiscard]] virtual const std::vector<float>& speeds() const = 0;
 
-  /// Chooses the columns that water fills at a time [s], and bears the particles of those that become full. depths: of
-  /// the water in the scene next to each opening [m]. Lists have to be made anew next.
-  virtual void fill(double time, const std::vector<double>& depths, Population& population) = 0;
+  /// Chooses the columns that water fills at a time [s], and bears the particles of those that become full. waters: next
+  /// to each opening. Lists have to be made anew next.
+  virtual void fill(double time, const std::vector<WaterAtOpening>& waters, Population& population) = 0;
   /// Speeds and levels at a time [s]. True if they have changed.
   virtual bool set_time(double time) = 0;
   /// After a step of dt [s]: bears who follows those that have crossed a plane.

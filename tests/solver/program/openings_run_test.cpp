@@ -109,8 +109,35 @@ TEST(OpenChannel, FollowsAHydrograph) {
   EXPECT_NEAR(column(run, "west_level", "m", 11).mean(), 0.13, 0.005);
 }
 
+/// Rise [m] of the water between heap and inlet, largest: of the heap's wave that runs upstream, and later of what the inlet
+/// has thrown back. The wave passes the gauge after 0.4 m / 0.8 m/s, the inlet after 1 m / 0.8 m/s, and with 1.2 m/s the
+/// gauge again, at 1.75 s; it is 0.4 m long.
+std::pair<double, double> waves_at_inlet(const std::string& absorbs) {
+  test::CaseRun run("open_wave");
+  run.fill_from(scene("wave"), {"inlet.west.absorbs_waves=" + absorbs});
+  EXPECT_EQ(run_solver(run.options()), Exit::done);
+  const CsvTable gauges = CsvTable::read(run.folder().gauges());
+  const auto t = gauges.numbers("time", "s");
+  const auto level = gauges.numbers("between.level", "m");
+  std::pair<double, double> largest{0, 0};
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    double& most = t[i] < 1.1 ? largest.first : largest.second;
+    if (t[i] < 1.1 || t[i] > 1.5) most = std::max(most, level[i] - 0.1);
+  }
+  return largest;
+}
+
+TEST(OpenChannel, LetsAWaveOutThroughAnInletThatAbsorbsIt) {
+  const auto [came, returned] = waves_at_inlet("true");
+  const auto [came_again, thrown_back] = waves_at_inlet("false");
+  EXPECT_GT(came, 0.008);  // half of the heap each way, and its front steepens
+  EXPECT_GT(thrown_back, 0.5 * came_again);
+  EXPECT_LT(returned, 0.35 * came);
+}
+
 TEST(OpenChannel, ContinuesBitForBit) {
-  const std::vector<std::string> options = {"output.end=\"3 s\"", "output.interval=\"0.5 s\""};
+  const std::vector<std::string> options = {"output.end=\"3 s\"", "output.interval=\"0.5 s\"",
+                                            "inlet.west.absorbs_waves=true"};
   test::TwoEnds ends;
   ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(scene("hydrograph"), options, "2.5 s", ends));
   EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
