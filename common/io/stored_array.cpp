@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 
 #include "common/error.hpp"
@@ -22,24 +21,40 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
+/// True for a word that is a number of the type. At any other VTK stops, and for cell data it then reads beyond the numbers
+/// that it has.
+template <class Number>
+bool fits(std::string_view word) {
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+/// False for the words that stand for an infinite number or for none, which have a letter n; no finite number has one.
+bool names_finite(std::string_view word) { return word.find_first_of("nN") == std::string_view::npos; }
+
 struct NumberType {
   const char* name;
   std::size_t width;  // [bytes]
+  bool (*is_in)(std::string_view word);
 };
-constexpr NumberType number_types[] = {{"Int8", 1},   {"UInt8", 1}, {"Int16", 2},  {"UInt16", 2},  {"Int32", 4},
-                                       {"UInt32", 4}, {"Int64", 8}, {"UInt64", 8}, {"Float32", 4}, {"Float64", 8}};
+
+template <class Number>
+constexpr NumberType number_type(const char* name) {
+  return {name, sizeof(Number), fits<Number>};
+}
+constexpr NumberType number_types[] = {number_type<std::int8_t>("Int8"),   number_type<std::uint8_t>("UInt8"),
+                                       number_type<std::int16_t>("Int16"), number_type<std::uint16_t>("UInt16"),
+                                       number_type<std::int32_t>("Int32"), number_type<std::uint32_t>("UInt32"),
+                                       number_type<std::int64_t>("Int64"), number_type<std::uint64_t>("UInt64"),
+                                       number_type<float>("Float32"),      number_type<double>("Float64")};
+// Characters of a text: bytes, which VTK writes as numbers with or without a sign.
+constexpr NumberType character_type{"String", 1, fits<std::int16_t>};
 
 vtkSmartPointer<vtkDataCompressor> compressor_of(const std::string& name) {
   if (name == "vtkLZ4DataCompressor") return vtkSmartPointer<vtkLZ4DataCompressor>::New();
   if (name == "vtkLZMADataCompressor") return vtkSmartPointer<vtkLZMADataCompressor>::New();
   return vtkSmartPointer<vtkZLibDataCompressor>::New();
-}
-
-/// A number of a text. VTK stops at any other word, and what follows would be lost.
-std::optional<double> number_in(std::string_view word) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc{} && end == word.data() + word.size() ? std::make_optional(value) : std::nullopt;
 }
 
 template <class Number>
@@ -75,21 +90,22 @@ void VtkFile::refuse(const XmlElement& at, const std::string& what, const std::s
 
 StoredArray::StoredArray(const VtkFile& file, const XmlElement& element)
     : file_(file), element_(element), name_(element.attribute("Name")), type_(element.attribute("type")) {
-  is_text_array_ = type_ == "String";
+  is_text_array_ = type_ == character_type.name;
+  const NumberType* type = &character_type;
   if (!is_text_array_) {
-    const auto* const known = std::find_if(std::begin(number_types), std::end(number_types),
-                                           [&](const NumberType& type) { return type_ == type.name; });
-    if (known == std::end(number_types)) refuse(fmt::format("is of the unknown type \"{}\"", shown(type_)));
-    width_ = known->width;
+    type = std::find_if(std::begin(number_types), std::end(number_types),
+                        [&](const NumberType& known) { return type_ == known.name; });
+    if (type == std::end(number_types)) refuse(fmt::format("is of the unknown type \"{}\"", shown(type_)));
   }
+  width_ = type->width;
   find_data();
   if (is_text_) {
     std::uint64_t words = 0;
     std::string_view text = data_;
     for (std::string_view word = next_word(text); !word.empty(); word = next_word(text), ++words) {
-      const auto number = number_in(word);
-      if (!number) refuse(fmt::format("holds \"{}\", which is no number", shown(word)));
-      is_finite_ = is_finite_ && std::isfinite(*number);
+      if (!type->is_in(word))
+        refuse(fmt::format("holds \"{}\", which is no number of the type {}", shown(word), type_));
+      is_finite_ = is_finite_ && names_finite(word);
     }
     size_ = words * width_;
   } else if (!data_.empty()) {

@@ -30,8 +30,8 @@ struct VtkFile {
 
 class StoredArray {
  public:
-  /// Reads the array's header. Throws InputError if the array is of an unknown type or kind of storage, or if its header
-  /// announces more than the file holds.
+  /// Reads the array's header. Throws InputError if the array is of an unknown type or kind of storage, if its header
+  /// announces more than the file holds, or if it holds a text that is no number of its type.
   StoredArray(const VtkFile& file, const XmlElement& element);
 
   /// Numbers that are stored; of a text array its characters.

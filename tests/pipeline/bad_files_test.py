@@ -97,6 +97,8 @@ STRUCTURE = [
     (('Name="Id"', 'Name="Number"'), "no point array Id"), (('Name="Type"', 'Name="Kind"'), "no point array Type"),
     (('Name="Velocity" NumberOfComponents="3"', 'Name="Velocity" NumberOfComponents="1"'), "it needs 4 times 1"),
     ((TESTS / "fuzz/inputs/vtp/cell_data_checksum.vtp").read_text(), "cannot be decompressed"),
+    ((TESTS / "fuzz/inputs/vtp/cell_data_number_too_large.vtp").read_text(), 'holds "24294967296", which is no number of the type Int32'),
+    (points(WORD.replace("Float64", "Float32") + '"ascii"', "0 0 0 1e300 0 0 0 0 1 1 0 1"), "no number of the type Float32"),
     (GOOD + "<!-- crc32 00000000 of all above -->\n", "is damaged"),
     (GOOD.replace("</PolyData>\n</VTKFile>", '</PolyData>\n<AppendedData encoding="odd">_</AppendedData></VTKFile>'), "encoding"),
     (GOOD.replace("</PolyData>\n</VTKFile>", '</PolyData>\n<AppendedData encoding="raw">abc</AppendedData></VTKFile>'), "underscore"),
