@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Predicts how a scene runs on many ranks: ranks_model.py [--spacings "20 mm" …]
 
-The partition is counted, not guessed: list cells of a flume in the solver's own order (solver/lists/hilbert.hpp), cut into ranges
-of equal numbers of particles, and for each range the cells of others around it. How often a step sends and how much is assumed
-until runs have counted it (scaling.py --part ranks). Times are a sum of computing, latency and bandwidth; the figures they rest on
-are named at the end of the output, the measured ones with their records.
+The partition is counted, not guessed: list cells of a flume in the solver's own order (solver/lists/sort.hpp), cut into ranges of
+equal numbers of particles, and for each range the cells of others around it. How often a step sends and how much was counted by
+scaling.py --part ranks. Times are a sum of computing, latency and bandwidth.
 """
 
 import argparse
@@ -22,12 +21,12 @@ NS_STEP = {"water": 270.0, "bed": 320.0}  # CPU ns a particle-step, one core, li
 NS_LISTS = {"water": 430.0, "bed": 570.0}  # a particle, each time lists are made
 NS_ITERATION = 50.0  # a particle and viscous iteration
 STEPS_PER_LISTS = 15  # assumed
-# Assumed, until scaling.py --part ranks has counted them: per step without the viscous solve, and per iteration.
-EXCHANGES = {"water": 5, "bed": 12}
-QUADS = {"water": 9, "bed": 22}  # quads of 16 bytes that these carry, of each copy
-COLLECTIVES = {"water": 3, "bed": 9}
+# Counted (bench/records/scaling-ranks.md): of a step, what lists cost included, without the viscous solve; and of an iteration.
+EXCHANGES = {"water": 4, "bed": 5}
+QUADS = {"water": 8.5, "bed": 10}  # of 16 bytes that these carry, of each copy
+COLLECTIVES = {"water": 5, "bed": 6}
 COLLECTIVES_AN_ITERATION = 2
-ITERATIONS = 8
+ITERATIONS = 8  # assumed
 # Assumed of a cluster.
 LATENCY = 2e-6  # [s] a message between machines
 HOP = 3e-6  # [s] a collective takes for each doubling of the ranks
@@ -70,8 +69,9 @@ class Partition:
         self.particles = round(np.prod([length / spacing for length in FLUME]))
         self.per_cell = self.particles / np.prod(self.shape)
         grid = np.stack(np.meshgrid(*(np.arange(n) for n in self.shape), indexing="ij"), axis=-1).reshape(-1, 3)
-        bits = max(int(n - 1).bit_length() for n in self.shape) + 1
-        order = np.argsort(hilbert(grid, bits), kind="stable")
+        bits = int(max(self.shape) - 1).bit_length()
+        apart = ((1 << bits) << 20) // max(self.shape)  # as HilbertKey
+        order = np.argsort(hilbert(grid * apart >> 20, bits), kind="stable")
         self.rank_order = np.empty(len(grid), dtype=np.int64)
         self.rank_order[order] = np.arange(len(grid))
 
@@ -127,7 +127,7 @@ def main():
                 alone.setdefault(kind, total)
                 cells += [f"{total * 1000:.3g}", f"{alone[kind] / total / ranks:.2f}"]
             print("| " + " | ".join(cells) + " |", flush=True)
-    print(f"\nAssumed: exchanges, quads and collectives of a step as the script has them, {LATENCY * 1e6:g} us a message, {HOP * 1e6:g} us a collective for each doubling of the ranks, "
+    print(f"\nAssumed: {LATENCY * 1e6:g} us a message, {HOP * 1e6:g} us a collective for each doubling of the ranks, "
           f"{BANDWIDTH / 1e9:g} GB/s a rank, {ITERATIONS} viscous iterations a step, new lists every {STEPS_PER_LISTS} steps, "
           "one core a rank, all ranks equally loaded, no overlap of computing and exchanging.")
     return 0

@@ -14,11 +14,13 @@ class BlockExchange {
   /// Finds which of this rank's blocks lie near each other rank's.
   void start(Ranks& ranks, const OwnCells<Dim>& own, const Lattice<Dim>& lattice) {
     const auto cells_around = periods_of(lattice);
+    DriftBlocks whole;
     Vec<Dim, std::int64_t> period{};
     Vec<Dim, std::int64_t> around{};
     for (int k = 0; k < Dim; ++k) {
-      period[k] = (cells_around[k] + 1) / 2;
-      around[k] = 1 + cells_around[k] % 2;
+      whole.set_period(k, cells_around[k]);
+      period[k] = whole.period[k];
+      around[k] = whole.around[k];
     }
     std::vector<std::uint64_t> blocks;
     BoxOfCells<Dim> box;

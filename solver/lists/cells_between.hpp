@@ -22,6 +22,14 @@ std::uint64_t packed_cell(const Vec<Dim, std::int64_t>& cell) {
   for (int k = 0; k < Dim; ++k) packed |= static_cast<std::uint64_t>(cell[k]) << (cell_bits * k);
   return packed;
 }
+/// The list cell of a particle's place.
+template <int Dim>
+std::uint64_t packed_cell_at(const Lattice<Dim>& lattice, const std::int32_t* place) {
+  const auto at = cell_of<Dim>(lattice, place, 0);
+  Vec<Dim, std::int64_t> cell{};
+  for (int k = 0; k < Dim; ++k) cell[k] = at[k];
+  return packed_cell<Dim>(cell);
+}
 template <int Dim>
 Vec<Dim, std::int64_t> unpacked_cell(std::uint64_t packed) {
   Vec<Dim, std::int64_t> cell{};
@@ -107,14 +115,11 @@ class OwnCells {
   OwnCells(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) : lattice(scene.lattice) {
     const auto records = on.download(p.record, 0, p.count);
     for (Index i = 0; i < p.count; ++i) {
-      const auto at = cell_of<Dim>(lattice, records[i].place, 0);
-      Vec<Dim, std::int64_t> cell{};
-      for (int k = 0; k < Dim; ++k) cell[k] = at[k];
-      const std::uint64_t packed = packed_cell<Dim>(cell);
+      const std::uint64_t packed = packed_cell_at(lattice, records[i].place);
       auto& runs = i < p.fluid_count ? fluid : walls;
       if (runs.empty() || runs.back().cell != packed) {
         runs.push_back({packed, i, i});
-        box.add(cell);
+        box.add(unpacked_cell<Dim>(packed));
       }
       runs.back().end = i + 1;
     }
@@ -203,13 +208,14 @@ class InReach {
   /// places: of the other rank's candidates, three numbers each, fluid first.
   InReach(const Lattice<Dim>& lattice, double reach, const std::vector<std::int32_t>& places, std::size_t fluid)
       : lattice_(lattice), reach2_(static_cast<float>(rounding * reach * reach)), places_(places), fluid_(fluid) {
-    for (std::size_t n = 0; n < places.size() / 3; ++n) cells_[cell_at(places.data() + 3 * n)].push_back(n);
+    for (std::size_t n = 0; n < places.size() / 3; ++n)
+      cells_[packed_cell_at(lattice, places.data() + 3 * n)].push_back(n);
   }
 
   /// True for a place within reach of the other's fluid or, for fluid, of its walls.
   [[nodiscard]] bool operator()(const std::int32_t* place, bool is_fluid) const {
     bool found = false;
-    for_each_cell_around<Dim>(cell_at(place), periods_of(lattice_), [&](Cell cell) {
+    for_each_cell_around<Dim>(packed_cell_at(lattice_, place), periods_of(lattice_), [&](Cell cell) {
       const auto beside = cells_.find(cell);
       if (found || beside == cells_.end()) return;
       for (const std::size_t n : beside->second) {
@@ -222,12 +228,6 @@ class InReach {
  private:
   static constexpr double rounding = 1.001;  // more than that of the search
 
-  [[nodiscard]] Cell cell_at(const std::int32_t* place) const {
-    const auto at = cell_of<Dim>(lattice_, place, 0);
-    Vec<Dim, std::int64_t> cell{};
-    for (int k = 0; k < Dim; ++k) cell[k] = at[k];
-    return packed_cell<Dim>(cell);
-  }
   [[nodiscard]] bool is_near(const std::int32_t* a, const std::int32_t* b) const {
     float r2 = 0;
     for (int k = 0; k < Dim; ++k) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -64,6 +66,17 @@ inline std::int64_t count_below(const std::vector<std::uint64_t>& keys, std::uin
   return std::lower_bound(keys.begin(), keys.end(), key) - keys.begin();
 }
 
+/// Of the keys above `low` up to `high` the one that ends in the most zeros. The curve enters the largest of its squares or
+/// cubes there, so that the parts before and behind it meet in the smallest area.
+inline std::uint64_t roundest_key(std::uint64_t low, std::uint64_t high) {
+  const auto differ = static_cast<int>(std::bit_width(low ^ high));  // high has the first of these bits, low has not
+  return differ == 0 ? high : high >> (differ - 1) << (differ - 1);
+}
+
+/// A rank may have more or less than its share of the cost by so much at either end of its range, for ranges that meet in
+/// small areas.
+inline constexpr double share_slack = 0.02;
+
 /// Ranges of about equal cost; the walls' begin where the fluid's do in space.
 inline Cut cut_by_weight(Ranks& ranks, const SortedKeys& keys, int bits) {
   std::vector<std::int64_t> before(keys.weight.size() + 1, 0);
@@ -71,11 +84,15 @@ inline Cut cut_by_weight(Ranks& ranks, const SortedKeys& keys, int bits) {
   std::int64_t totals[] = {before.back(), static_cast<std::int64_t>(keys.fluid.size()),
                            static_cast<std::int64_t>(keys.walls.size())};
   ranks.sum(totals, 3);
-  std::vector<std::int64_t> shares;
-  for (int r = 1; r < ranks.size(); ++r) shares.push_back(totals[0] / ranks.size() * r);
-  const auto split = split_keys(ranks, shares, bits, [&](std::uint64_t key) {
+  const std::int64_t share = totals[0] / ranks.size();
+  const std::int64_t slack = std::llround(share_slack * static_cast<double>(share));
+  std::vector<std::int64_t> targets;
+  for (int r = 1; r < ranks.size(); ++r) targets.insert(targets.end(), {share * r - slack, share * r + slack});
+  const auto between = split_keys(ranks, targets, bits, [&](std::uint64_t key) {
     return before[static_cast<std::size_t>(count_below(keys.fluid, key))];
   });
+  std::vector<std::uint64_t> split;
+  for (std::size_t t = 0; t < between.size(); t += 2) split.push_back(roundest_key(between[t], between[t + 1]));
   const std::size_t n = split.size();
   std::vector<std::int64_t> counts(2 * n);
   const std::uint64_t behind_fluid = std::uint64_t{1}

@@ -32,8 +32,7 @@ DriftBlocks drift_blocks_over(const CellTable<Dim>& cells, bool shared) {
   for (int k = 0; k < Dim; ++k) {
     blocks.low[k] = cells.low[k] / 2;
     blocks.extent[k] = (cells.low[k] + cells.extent[k] - 1) / 2 - blocks.low[k] + 1;
-    blocks.period[k] = (cells.period[k] + 1) / 2;
-    blocks.around[k] = 1 + cells.period[k] % 2;
+    blocks.set_period(k, cells.period[k]);
     if (!shared) continue;
     blocks.low[k] -= blocks.around[k];
     blocks.extent[k] += 2 * blocks.around[k];

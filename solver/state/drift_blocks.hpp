@@ -34,6 +34,11 @@ struct DriftBlocks {
   /// an odd number of cells is one cell wide.
   std::int64_t around[3] = {0, 0, 0};
 
+  /// Lets a direction come round after so many list cells; 0: it does not.
+  void set_period(int k, std::int64_t cells) {
+    period[k] = (cells + 1) / 2;
+    around[k] = 1 + cells % 2;
+  }
   [[nodiscard]] HOST_DEVICE Index count() const { return static_cast<Index>(extent[0] * extent[1] * extent[2]); }
 };
 
