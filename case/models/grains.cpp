@@ -34,9 +34,15 @@ double reference_level_of(const Case& of) {
 
 double grain_stress_of(const Case& of) { return models::SurfaceBedOfCase::is_on(of) ? of.surface_bed.grain_stress : 1; }
 
-double reference_concentration(const Grains& of, double friction_velocity) {
+double suspended_settling_velocity(const Case& of) {
+  Grains grains = grains_of(of);
+  if (of.suspended_load.diameter > 0) grains.diameter = of.suspended_load.diameter;
+  return grains.settling(0);
+}
+
+double reference_concentration(const Grains& of, double friction_velocity, double settling_velocity) {
   const BedStress stress = bed_stress_of(of, friction_velocity, 1, 0);
-  return std::min(pick_up_of(of, stress, stress.flat_critical) / of.settling(0), 1 - of.porosity);
+  return std::min(pick_up_of(of, stress, stress.flat_critical) / settling_velocity, 1 - of.porosity);
 }
 
 }  // namespace thalweg

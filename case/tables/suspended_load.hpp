@@ -14,6 +14,7 @@ struct SuspendedLoad {
 
   CarriedBy carried_by = CarriedBy::parcels;
   PickUp pick_up = PickUp::van_rijn;
+  double diameter = 0;         // [m]
   double reference_level = 0;  // [m]
   double diffusivity = 0;      // [m^2/s]
   double schmidt = 1;          // [-]
@@ -22,6 +23,10 @@ struct SuspendedLoad {
   void describe(V& v) {
     v.choice("carried_by", carried_by, "What carries grains in suspension.");
     v.choice("pick_up", pick_up, "carried_by = \"water\": how fast the water's shear stress lifts grains off the bed.");
+    v.quantity(
+        "diameter", diameter, "m", 0, 0.1,
+        "carried_by = \"water\": of the grains in suspension, by which they settle; they are finer than those that "
+        "stay (van Rijn 1984: 0.6 to 1 of d50). 0: that of the bed's grains.");
     v.quantity("reference_level", reference_level, "m", 0, 1,
                "carried_by = \"water\": height over the bed at which pick-up and settling are compared; 0: the "
                "roughness of the bed.");

@@ -4,7 +4,6 @@
 
 #include "case/models/grains.hpp"
 #include "case/models/suspended_load.hpp"
-#include "physics/transport/lift_settling.hpp"
 #include "physics/transport/rouse.hpp"
 #include "physics/water/log_profile.hpp"
 
@@ -14,7 +13,7 @@ GrainsOfInlets::GrainsOfInlets(const Case& of) : viscosity_(of.water.viscosity /
   if (!models::SuspendedLoadOfWater::is_on(of)) return;
   bed_ = grains_of(of);
   density_ = bed_.density;
-  settling_velocity_ = settling_velocity(bed_.size_number(), bed_.diameter, viscosity_);
+  settling_velocity_ = suspended_settling_velocity(of);
   reference_level_ = reference_level_of(of);
   grain_stress_ = grain_stress_of(of);
 }
@@ -24,7 +23,7 @@ double GrainsOfInlets::concentration(const Inlet& inlet, double height, double d
     return inlet.concentration_at(height, depth, velocity, viscosity_, settling_velocity_);
   }
   const double friction = friction_velocity_of_current(velocity, depth, viscosity_, inlet.roughness);
-  return reference_concentration(bed_, std::sqrt(grain_stress_) * friction) *
+  return reference_concentration(bed_, std::sqrt(grain_stress_) * friction, settling_velocity_) *
          rouse_share(height, reference_level_, depth, friction, settling_velocity_);
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "case/models/grains.hpp"
 #include "case/models/surface_bed.hpp"
 #include "case/models/suspended_load.hpp"
 #include "solver/models/all.hpp"
@@ -17,7 +18,7 @@ void SuspendedLoadModel::make(const SceneSource& from, Scene<Dim>& scene) {
   if (!law.on) return;
   const SedimentParameters& s = of.sediment();
   law.pick_up = of.suspended_load.pick_up;
-  law.settling_velocity = scene.erosion.settling_velocity;
+  law.settling_velocity = static_cast<float>(suspended_settling_velocity(of));
   law.excess_density = static_cast<float>(s.grain_density / of.water.density - 1);
   law.packing = static_cast<float>(1 - s.porosity);
   const double level = of.suspended_load.reference_level;

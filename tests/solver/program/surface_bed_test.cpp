@@ -130,7 +130,7 @@ TEST(SurfaceBedRun, HoldsTheGrainsOfRousesProfile) {
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const Grains sand = grains_of(run.scene());
   const double friction = std::sqrt(9.81 * 0.1 * 0.00197);
-  const double reference = reference_concentration(sand, friction);
+  const double reference = reference_concentration(sand, friction, sand.settling(0));
   double exact = 0;  // [m] of grains
   constexpr int layers = 10000;
   for (int n = 0; n < layers; ++n) {
