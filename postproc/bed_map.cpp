@@ -31,6 +31,28 @@ std::optional<std::size_t> place_of(const BedMap& map, const Vec3& at) {
   return map.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
 }
 
+/// True for a place of the map with a bed; false beyond the map too, where the numbers wrap around.
+bool is_bed(const BedMap& map, std::size_t i, std::size_t j) {
+  return i < map.nx && j < map.ny && map.ground[map.index(i, j)] == Ground::bed &&
+         !std::isnan(map.now[map.index(i, j)]);
+}
+
+/// Points of a survey for a place with a bed, in half steps from it: the place, and points towards where the bed ends.
+std::vector<std::array<int, 2>> points_of_place(const BedMap& map, std::size_t i, std::size_t j) {
+  std::vector<std::array<int, 2>> points{{0, 0}};
+  const int most_north = map.ny == 1 ? 0 : 1;
+  for (int east = -1; east <= 1; ++east) {
+    for (int north = -most_north; north <= most_north; ++north) {
+      const auto beside_i = i + static_cast<std::size_t>(east);
+      const auto beside_j = j + static_cast<std::size_t>(north);
+      const bool ends = (east == 0 || !is_bed(map, beside_i, j)) && (north == 0 || !is_bed(map, i, beside_j)) &&
+                        !is_bed(map, beside_i, beside_j);
+      if (ends) points.push_back({east, north});
+    }
+  }
+  return points;
+}
+
 /// Calls `of` for all places within `reach` [m] of a point, along x and along y.
 template <class Of>
 void for_places(const BedMap& map, const Vec3& at, double reach, const Of& of) {
@@ -251,6 +273,24 @@ void write_bed_map(const std::filesystem::path& file, const BedMap& map, double 
       table.add_row({csv_number(map.x(i)), csv_number(map.y(j)), cell(map.before[k]), cell(map.now[k]),
                      cell(map.change(k)), cell(map.water[k]), cell(shields), cell(shields * grain_weight),
                      std::to_string(static_cast<int>(map.ground[k]))});
+    }
+  }
+  table.write(file);
+}
+
+void write_bed_survey(const std::filesystem::path& file, const BedMap& map) {
+  const bool in_plane = map.ny == 1;
+  CsvTable table(in_plane ? std::vector<CsvColumn>{{"x", "m"}, {"z", "m"}}
+                          : std::vector<CsvColumn>{{"x", "m"}, {"y", "m"}, {"z", "m"}});
+  for (std::size_t i = 0; i < map.nx; ++i) {
+    for (std::size_t j = 0; j < map.ny; ++j) {
+      if (!is_bed(map, i, j)) continue;
+      for (const auto& [east, north] : points_of_place(map, i, j)) {
+        std::vector<std::string> row{csv_number(map.x(i) + 0.5 * east * map.step)};
+        if (!in_plane) row.push_back(csv_number(map.y(j) + 0.5 * north * map.step));
+        row.push_back(csv_number(map.now[map.index(i, j)]));
+        table.add_row(row);
+      }
     }
   }
   table.write(file);

@@ -29,6 +29,8 @@ int run(int argc, char** argv) {
   app.add_option("--repeat", options.repeats,
                  "folders of further runs of the same case, for the scatter between equal runs")
       ->type_name("DIR");
+  app.add_option("--bed-survey", options.bed_survey,
+                 "write the bed of the last snapshot to this CSV file, as a survey for the bed of another case");
   app.add_flag("!--no-surfaces", options.surfaces, "write no surfaces/*.vtp and *.stl");
   app.add_flag("--report", options.report, "draw the pictures and write report/index.html (needs gnuplot)");
   app.add_flag("--3d", options.in_space,

@@ -117,6 +117,17 @@ bool make_report(ReportInput& input, bool in_space) {
   return drawn;
 }
 
+/// The bed of the last snapshot as a survey, from which another case fills its bed.
+void write_last_bed(const ReportInput& input, const fs::path& file) {
+  if (file.extension() != ".csv") {
+    throw InputError("--bed-survey " + file.string() + ": is read as a survey by its ending; let the name end in .csv");
+  }
+  const BedMap map = make_run_bed_map(input.resolved, input.run, input.extraction).map;
+  if (!map.has_bed()) throw InputError(input.run.root.string() + ": has no bed; leave --bed-survey out");
+  write_bed_survey(file, map);
+  say(fmt::format("the bed at t = {:g} s: {}", map.time, file.string()));
+}
+
 /// The pass as --json tells it.
 std::string result_of(const ReportInput& input, bool with_report) {
   nlohmann::ordered_json result{
@@ -147,6 +158,7 @@ Exit postprocess(const PostprocessOptions& options) {
   for (std::string& warning : warnings_of_programs(run)) input.warnings.push_back(std::move(warning));
   write_whole_text(run.view_script(), [](std::ostream& stream) { stream << embedded::view_script; });
   print_extraction(input.extraction, run);
+  if (!options.bed_survey.empty()) write_last_bed(input, options.bed_survey);
 
   input.sets.push_back(
       {run_label, SourceKind::run, run.profiles(), input.extraction.written, input.extraction.initial});

@@ -19,6 +19,7 @@ struct PostprocessOptions {
   std::vector<std::string> lines{};             // further lines for profiles, "NAME=0 m,0.1 m,1 m,0.1 m"
   bool surfaces = true;                         // surfaces as .vtp and .stl
   std::vector<std::string> repeats{};           // folders of further runs of the same case
+  std::filesystem::path bed_survey{};           // file for the last bed as a survey; empty: none
 };
 
 /// Surfaces, profiles, series, comparison and, if asked for, the report of a run. Returns Exit::run_failed, after doing

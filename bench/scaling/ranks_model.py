@@ -14,6 +14,7 @@ import numpy as np
 
 FLUME = (5.0, 0.5, 0.3)  # [m]
 REACH = 3.3  # of the lists, in spacings: support 3, skin a tenth
+SLACK = 0.02  # of a rank's share, at either end
 RANKS = (1, 2, 4, 8, 16, 64, 256, 1024, 4096)
 
 # Measured (bench/records/scaling-space.md); rounded.
@@ -71,13 +72,25 @@ class Partition:
         grid = np.stack(np.meshgrid(*(np.arange(n) for n in self.shape), indexing="ij"), axis=-1).reshape(-1, 3)
         bits = int(max(self.shape) - 1).bit_length()
         apart = ((1 << bits) << 20) // max(self.shape)  # as HilbertKey
-        order = np.argsort(hilbert(grid * apart >> 20, bits), kind="stable")
+        codes = hilbert(grid * apart >> 20, bits)
+        order = np.argsort(codes, kind="stable")
+        self.codes = codes[order]
         self.rank_order = np.empty(len(grid), dtype=np.int64)
         self.rank_order[order] = np.arange(len(grid))
 
+    def begins(self, ranks):
+        """Where the ranks' ranges begin, within the slack of their shares: as cut_by_weight()."""
+        share = len(self.codes) / ranks
+        begins = []
+        for rank in range(1, ranks):
+            low, high = (int(self.codes[round(rank * share + sign * SLACK * share)]) for sign in (-1, 1))
+            bits = max(0, (low ^ high).bit_length() - 1)
+            begins.append(np.searchsorted(self.codes, high >> bits << bits))
+        return np.array(begins, dtype=np.int64)
+
     def cut(self, ranks):
         """Of the rank with most copies: copies, and the ranks it exchanges with; and the mean of the copies over the particles."""
-        owner = (self.rank_order * ranks // len(self.rank_order)).reshape(self.shape)
+        owner = np.searchsorted(self.begins(ranks), self.rank_order, side="right").reshape(self.shape)
         number = np.arange(owner.size, dtype=np.int64).reshape(self.shape)
         pairs, meetings = [], []
         for offset in np.ndindex(3, 3, 3):

@@ -185,16 +185,17 @@ def ranks(given, record):
         rows.append([name, two[0].last.fluid, Spread.of(t.wall for t in threads), Spread.of(t.wall for t in two),
                      ratios((t.wall for t in threads), (t.wall for t in two))])
         record.figure(f"two ranks beside two threads, {name}, {rows[-1][1]} particles", f"{rows[-1][4].median:.2f} of their speed")
-        for number_of_ranks in (2, 4, 8):
-            last = solve(given.thalweg, run, "--benchmark", many, "--ranks", number_of_ranks)
-            told = {row["quantity"]: float(row["value"]) for row in text_rows(run / "summary.csv")
-                    if row["quantity"] in ("copies_per_particle", "collectives_per_step", "messages_per_step", "sent_bytes_per_step")}
-            counts.append([name, number_of_ranks, told["copies_per_particle"], told["collectives_per_step"], told["messages_per_step"],
-                           told["sent_bytes_per_step"] / 1e6, last.iterations])
+        for number_of_ranks in (1, 2, 4, 8):
+            steps = measured_steps(given, run, 2, many, 1, "--ranks", number_of_ranks)
+            told = {row["quantity"]: row["value"] for row in text_rows(run / "summary.csv")}
+            numbers = [float(told.get(name, 0)) for name in ("copies_per_particle", "collectives_per_step", "messages_per_step",
+                                                             "sent_bytes_per_step", "bytes_per_particle")]
+            counts.append([name, number_of_ranks, *numbers[:3], numbers[3] / 1e6, numbers[4], steps.cpu, steps.last.iterations])
     record.table("Two threads and two ranks, in turn; by the clock, which needs a machine with nothing else to do",
                  ["scene", "particles", "ns a particle-step, two threads", "two ranks", "speed of the ranks over that of the threads"], rows)
-    record.table("Counted, of the rank that sends most, lists included", ["scene", "ranks", "copies a particle", "collectives a step",
-                 "messages a step", "MB a step", "viscous iterations a step"], counts)
+    record.table("Counted, of the rank that sends most, lists included; times of one run each",
+                 ["scene", "ranks", "copies a particle", "collectives a step", "messages a step", "MB a step",
+                  "bytes of arrays a particle", "CPU ns a particle-step, all ranks together", "viscous iterations a step"], counts)
 
 
 def counted(given, run, steps):

@@ -176,6 +176,25 @@ TEST(BedMap, SaysNothingOfStressesThatTheFilesDoNotCarry) {
   EXPECT_EQ(extremes_of(map).scour, 0);
 }
 
+TEST(BedMap, BecomesASurveyThatReachesTheEndsOfTheBed) {
+  BedMap map = map_of_columns(columns(0), columns(0.004));
+  add_ground(map, columns(0.004));
+  const TemporaryFolder folder;
+  write_bed_survey(folder.path() / "bed.csv", map);
+  const CsvTable survey = CsvTable::read(folder.path() / "bed.csv");
+  const auto x = survey.numbers("x", "m");
+  const auto y = survey.numbers("y", "m");
+  const auto z = survey.numbers("z", "m");
+  // 200 columns but for the four of the pier; half a column outside 64 around the bed, and 8 towards the pier.
+  EXPECT_EQ(x.size(), 196U + 64U + 8U);
+  EXPECT_NEAR(*std::min_element(x.begin(), x.end()), map.x0 - 0.005, 1e-9);
+  EXPECT_NEAR(*std::max_element(y.begin(), y.end()), map.y(9) + 0.005, 1e-9);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool is_at_column = std::abs(x[i] - map.x(8)) < 1e-6 && std::abs(y[i] - map.y(4)) < 1e-6;
+    if (is_at_column) EXPECT_NEAR(z[i], map.now[map.index(8, 4)], 1e-9);
+  }
+}
+
 TEST(ReportUnits, AreChosenByMagnitudeAndPrintedAlike) {
   EXPECT_EQ(height_unit(0.02, 0.3).text(0.0177), "17.7\u00a0mm");
   EXPECT_EQ(height_unit(1.2, 8).text(1.2), "1.200\u00a0m");
