@@ -278,7 +278,7 @@ void write_bed_map(const std::filesystem::path& file, const BedMap& map, double 
   table.write(file);
 }
 
-void write_bed_survey(const std::filesystem::path& file, const BedMap& map) {
+void write_bed_survey(const std::filesystem::path& file, const BedMap& map, const Vec3& low, const Vec3& high) {
   const bool in_plane = map.ny == 1;
   CsvTable table(in_plane ? std::vector<CsvColumn>{{"x", "m"}, {"z", "m"}}
                           : std::vector<CsvColumn>{{"x", "m"}, {"y", "m"}, {"z", "m"}});
@@ -286,8 +286,13 @@ void write_bed_survey(const std::filesystem::path& file, const BedMap& map) {
     for (std::size_t j = 0; j < map.ny; ++j) {
       if (!is_bed(map, i, j)) continue;
       for (const auto& [east, north] : points_of_place(map, i, j)) {
-        std::vector<std::string> row{csv_number(map.x(i) + 0.5 * east * map.step)};
-        if (!in_plane) row.push_back(csv_number(map.y(j) + 0.5 * north * map.step));
+        const double x = map.x(i) + 0.5 * east * map.step;
+        const double y = map.y(j) + 0.5 * north * map.step;
+        const double rounding = 1e-6 * map.step;
+        if (x < low.x() - rounding || x > high.x() + rounding) continue;
+        if (!in_plane && (y < low.y() - rounding || y > high.y() + rounding)) continue;
+        std::vector<std::string> row{csv_number(x)};
+        if (!in_plane) row.push_back(csv_number(y));
         row.push_back(csv_number(map.now[map.index(i, j)]));
         table.add_row(row);
       }

@@ -76,8 +76,9 @@ std::vector<double> contour_levels(const std::vector<double>& values, double ste
 /// Writes x [m], y [m], before [m], now [m], change [m], shields [-], shear [Pa], ground [-], a row a place.
 void write_bed_map(const std::filesystem::path& file, const BedMap& map, double grain_weight);
 /// Writes the bed as it is now as a survey that gencase reads (kind = "bathymetry"): x [m], y [m], z [m], in 2-D x [m],
-/// z [m]. Half a step around the map the outermost heights go on, so that the survey reaches the ends of the bed.
-void write_bed_survey(const std::filesystem::path& file, const BedMap& map);
+/// z [m]. Half a step around the bed its outermost heights go on, so that the survey reaches the bed's ends; points outside
+/// of `low` to `high` are left out.
+void write_bed_survey(const std::filesystem::path& file, const BedMap& map, const Vec3& low, const Vec3& high);
 /// Writes level [m], x [m], y [m]; lines are parted by empty lines.
 void write_contours(const std::filesystem::path& file, const std::vector<Contour>& contours);
 

@@ -122,9 +122,9 @@ void write_last_bed(const ReportInput& input, const fs::path& file) {
   if (file.extension() != ".csv") {
     throw InputError("--bed-survey " + file.string() + ": is read as a survey by its ending; let the name end in .csv");
   }
-  const BedMap map = make_run_bed_map(input.resolved, input.run, input.extraction).map;
+  const BedMap map = make_survey_map(input.resolved, input.run, input.extraction);
   if (!map.has_bed()) throw InputError(input.run.root.string() + ": has no bed; leave --bed-survey out");
-  write_bed_survey(file, map);
+  write_bed_survey(file, map, input.resolved.domain.from, input.resolved.domain.to);
   say(fmt::format("the bed at t = {:g} s: {}", map.time, file.string()));
 }
 

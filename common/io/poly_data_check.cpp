@@ -127,11 +127,11 @@ class Checker {
     if (element.attributes.contains("TimeStep")) file_.refuse(element, "holds several times", "write one file each");
     constexpr std::uint64_t most_words = 16;  // of a vector that describes an array
     for (const XmlElement& key : element.children) (void)number(key, "length", 0, most_words);
-    StoredArray stored(file_, element);
-    if (stored.is_text_array() != (element.name == "Array")) {
+    if ((element.attribute("type") == "String") != (element.name == "Array")) {
       file_.refuse(element,
                    fmt::format("texts stand in <Array>, numbers in <DataArray>; this is a <{}>", element.name));
     }
+    StoredArray stored(file_, element);
     unpacked_ += stored.size();
     if (unpacked_ > always_allowed + largest_growth * file_.bytes.size()) {
       file_.refuse(element, fmt::format("the arrays announce {} bytes, more than {} times the file's size", unpacked_,

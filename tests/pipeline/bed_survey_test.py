@@ -14,7 +14,8 @@ import unittest
 import coarse_louvain as case
 
 thalweg, scratch = (pathlib.Path(argument) for argument in (sys.argv.pop(1), sys.argv.pop(1)))
-SCENES = case.ROOT / "tests" / "solver" / "program" / "surface_bed"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = ROOT / "tests" / "solver" / "program" / "surface_bed"
 SURVEYED = """
 [[shape]]
 name = "bed"
@@ -82,7 +83,7 @@ class BedSurvey(unittest.TestCase):
 
     def test_a_run_without_a_bed_says_so(self):
         run = self.folder / "run"
-        self.done("gencase", case.ROOT / "cases" / "dam_break", "--out", run, "--set", 'output.end="0.01 s"', "--set", 'numerics.spacing="10 mm"',
+        self.done("gencase", ROOT / "cases" / "dam_break", "--out", run, "--set", 'output.end="0.01 s"', "--set", 'numerics.spacing="10 mm"',
                   "--set", "compare.times=[]")
         self.done("solver", run)
         ended = case.call([str(thalweg), "postproc", str(run), "--bed-survey", str(self.folder / "bed.csv")])
