@@ -71,8 +71,11 @@ class Partition:
         self.per_cell = self.particles / np.prod(self.shape)
         grid = np.stack(np.meshgrid(*(np.arange(n) for n in self.shape), indexing="ij"), axis=-1).reshape(-1, 3)
         bits = int(max(self.shape) - 1).bit_length()
-        apart = ((1 << bits) << 20) // max(self.shape)  # as HilbertKey
-        codes = hilbert(grid * apart >> 20, bits)
+        longest = max(self.shape)
+        eighth = (1 << bits) // 8
+        part = grid * 8 // longest  # as HilbertKey
+        on_curve = part * eighth + grid - (part * longest + 7) // 8 if longest >= 64 else grid
+        codes = hilbert(on_curve, bits)
         order = np.argsort(codes, kind="stable")
         self.codes = codes[order]
         self.rank_order = np.empty(len(grid), dtype=np.int64)

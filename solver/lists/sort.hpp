@@ -53,25 +53,26 @@ bool walls_are_sorted(const Particles<Device>& p, const Scene<Dim>& scene, const
          now.fluid == p.fluid_count;
 }
 
-/// A particle's position in the order: along the curve, walls after fluid. The list cells lie so far apart on the curve
-/// that the domain's longest side is a power of two long: half of a channel, a quarter and an eighth of it are then parted
-/// by planes, across which ranks have the fewest neighbours.
+/// A particle's position in the order: along the curve, walls after fluid. In large domains eighths of the longest side
+/// begin at eighths of the curve's cube, so that planes part a half, a quarter and an eighth of a channel: across those
+/// ranks have the fewest neighbours. In between no cell is skipped, or clusters would be less compact.
 template <int Dim>
 struct HilbertKey {
   const Record* records;
   Lattice<Dim> lattice;
-  std::uint64_t apart = 0;  // two cells side by side, in units of 2^-apart_bits
+  std::uint32_t longest = 1;  // [cells] side of the domain
+  std::uint32_t eighth = 0;   // [cells] of the curve's cube; 0: cells lie there as in the domain
   int bits;
 
   HilbertKey(const Record* of, const Lattice<Dim>& on) : records(of), lattice(on) {
     std::uint32_t most_cells = 1;
-    std::uint32_t longest = 1;
     for (int k = 0; k < Dim; ++k) {
       const std::uint32_t cells = lattice.cells[k];
       most_cells = std::max(most_cells, cells);
       longest = std::max(longest, lattice.periodic[k] ? cells : (cells + 1) / 2);  // of the range the first half
     }
-    apart = (std::uint64_t{std::bit_ceil(longest)} << apart_bits) / longest;
+    constexpr std::uint32_t large = 64;
+    if (longest >= large) eighth = std::bit_ceil(longest) / 8;
     bits = static_cast<int>(std::bit_width(on_curve(most_cells - 1))) + fine_bits;
   }
   HOST_DEVICE std::uint64_t operator()(Index i) const {
@@ -91,10 +92,10 @@ struct HilbertKey {
   [[nodiscard]] int used_bits() const { return Dim * bits + 2; }
 
  private:
-  static constexpr int apart_bits = 20;
-
   [[nodiscard]] HOST_DEVICE std::uint32_t on_curve(std::uint32_t cell) const {
-    return static_cast<std::uint32_t>((cell * apart) >> apart_bits);
+    if (eighth == 0) return cell;
+    const std::uint32_t part = cell * 8 / longest;
+    return part * eighth + cell - (part * longest + 7) / 8;
   }
 };
 

@@ -81,6 +81,32 @@ TEST(HilbertCurve, TakesEveryCellOnceAndIsUnbroken) {
   expect_unbroken<3>(4);
 }
 
+TEST(HilbertKey, PartsAnEighthOfALongDomainFromTheNext) {
+  // 94 cells along x and 5 along z: the particles of an eighth follow each other, whatever lies beside them.
+  const bool not_periodic[2] = {false, false};
+  const Lattice<2> lattice({0, 0}, {9.4, 0.5}, not_periodic, 0.1);
+  std::vector<Record> records;
+  std::vector<int> eighth_of;
+  for (int i = 0; i < 94; ++i) {
+    for (int k = 0; k < 5; ++k) {
+      Record record;
+      record.place[0] = lattice.place(0, 0.1 * i + 0.05);
+      record.place[2] = lattice.place(1, 0.1 * k + 0.05);
+      records.push_back(record);
+      eighth_of.push_back(i * 8 / 94);
+    }
+  }
+  const neighbours::HilbertKey<2> key(records.data(), lattice);
+  std::map<std::uint64_t, int> order;
+  for (Index i = 0; i < records.size(); ++i) order[key(i)] = eighth_of[i];
+  ASSERT_EQ(order.size(), records.size()) << "no two cells have the same place";
+  int changes = 0;
+  for (auto to = std::next(order.begin()), from = order.begin(); to != order.end(); from = to++) {
+    changes += to->second == from->second ? 0 : 1;
+  }
+  EXPECT_EQ(changes, 7);
+}
+
 ParticleType floor_below(const Vec3& x) { return x.z() < 0.035 ? ParticleType::wall : ParticleType::water; }
 
 TYPED_TEST(Neighbours, AreCompleteInThePlane) {
