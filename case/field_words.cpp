@@ -42,12 +42,15 @@ const std::vector<FieldWord>& field_words() {
        {"model.sediment", "model.bed_load", "surface_bed.factor", "compare.times"}},
       {{"slope", "bed slope", "incline", "gradient", "fall of the flume", "tilt"},
        "A flume's fall drives a current through [flow] slope in a periodic domain. A sloping bed is a shape: a prism "
-       "with a "
-       "polygon, or a bathymetry.",
+       "with a polygon, or a bathymetry.",
        {"flow.drive", "flow.slope", "shape.polygon"}},
       {{"current", "steady current", "steady flow", "river", "mean velocity", "flow velocity"},
        "A steady current is driven around a periodic domain by [flow], or runs between an [[inlet]] and an [[outlet]].",
        {"flow.drive", "flow.velocity", "flow.discharge", "inlet.velocity"}},
+      {{"reflected waves", "wave reflection", "reflection", "absorbing boundary", "radiation", "seiche", "sloshing"},
+       "A fixed discharge throws long waves back. An inlet that follows the scene's level can let them out; an outlet "
+       "with a level gives way to them by itself.",
+       {"inlet.absorbs_waves", "inlet.surface", "outlet.kind"}},
       {{"initial velocity", "start velocity", "initial condition"},
        "Water starts at rest unless flow.start says otherwise.",
        {"flow.start", "flow.start_of"}},
@@ -65,8 +68,7 @@ const std::vector<FieldWord>& field_words() {
        {"materials.<sediment>.critical_shields", "materials.<sediment>.critical_stress", "model.bed_shear"}},
       {{"bedload", "transport", "sediment transport", "transport rate", "meyer peter mueller"},
        "Grains that roll along the bed follow a transport law (model.bed_load), which model.sediment = \"three-state\" "
-       "and "
-       "\"surface\" use.",
+       "and \"surface\" use.",
        {"model.sediment", "model.bed_load"}},
       {{"suspension", "suspended sediment", "suspended", "concentration", "turbidity", "settling", "settling velocity"},
        "Grains in suspension are carried by sediment particles or as a concentration in the water; an inlet can bring "

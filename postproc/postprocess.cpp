@@ -119,9 +119,6 @@ bool make_report(ReportInput& input, bool in_space) {
 
 /// The bed of the last snapshot as a survey, from which another case fills its bed.
 void write_last_bed(const ReportInput& input, const fs::path& file) {
-  if (file.extension() != ".csv") {
-    throw InputError("--bed-survey " + file.string() + ": is read as a survey by its ending; let the name end in .csv");
-  }
   const BedMap map = make_survey_map(input.resolved, input.run, input.extraction);
   if (!map.has_bed()) throw InputError(input.run.root.string() + ": has no bed; leave --bed-survey out");
   write_bed_survey(file, map, input.resolved.domain.from, input.resolved.domain.to);
@@ -142,6 +139,10 @@ std::string result_of(const ReportInput& input, bool with_report) {
 
 Exit postprocess(const PostprocessOptions& options) {
   const RunFolder run = existing_run(options.folder);
+  if (!options.bed_survey.empty() && options.bed_survey.extension() != ".csv") {
+    throw InputError("--bed-survey " + options.bed_survey.string() +
+                     ": a survey is read by its ending; let the name end in .csv");
+  }
   remove_dead_parts(run.root);
   keep_log(run, "postproc");
   ReportInput input;
