@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "case/models/surface_bed.hpp"
 #include "common/units.hpp"
 
 namespace thalweg {
@@ -27,12 +28,13 @@ bool is_fluid(ParticleType type) { return type == ParticleType::water || type ==
 
 /// The fluid particle that is worst off: the first whose numbers are not finite, else the one farthest from its density
 /// at rest.
-std::size_t worst_particle(const ParticleSet& p, double water_density, double sediment_density) {
+std::size_t worst_particle(const ParticleSet& p, const Case& of, double sediment_density) {
+  const bool sediment_is_wall = models::SurfaceBedOfCase::is_on(of);
   std::size_t worst = 0;
   double farthest = -1;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (!is_fluid(p.type[i])) continue;
-    const double rho0 = p.type[i] == ParticleType::water ? water_density : sediment_density;
+    if (!is_fluid(p.type[i]) || (sediment_is_wall && p.type[i] == ParticleType::sediment)) continue;
+    const double rho0 = p.type[i] == ParticleType::water ? of.water.density : sediment_density;
     const double excess = std::abs(double(p.density[i]) / rho0 - 1);
     if (!std::isfinite(excess) || !p.velocity[i].allFinite()) return i;
     if (excess > farthest) farthest = excess, worst = i;
@@ -67,7 +69,7 @@ std::string diagnose(const StepReport& report, const ParticleSet& particles, con
                       report.dt, report.viscous.residual, report.viscous.iterations, of.numerics.viscous_tolerance);
   }
   const double sediment_density = of.has_sediment() ? of.sediment().bed_density() : of.water.density;
-  const std::size_t i = worst_particle(particles, of.water.density, sediment_density);
+  const std::size_t i = worst_particle(particles, of, sediment_density);
   const double rho0 = particles.type[i] == ParticleType::water ? of.water.density : sediment_density;
   const double excess = double(particles.density[i]) / rho0 - 1;
   std::string what = std::isfinite(excess) ? fmt::format("its density is {:+.0f} % off rest", 100 * excess)

@@ -43,6 +43,10 @@ struct ClusterList {
     const Index limit = c < fluid_clusters ? fluid_count : count;
     return end < limit ? end : limit;
   }
+  /// The cluster of particle i. Those of the walls begin anew behind the fluid, whose last one may hold fewer than four.
+  HOST_DEVICE Index cluster_of(Index i) const {
+    return i < fluid_count ? i / cluster_size : fluid_clusters + (i - fluid_count) / cluster_size;
+  }
 };
 
 /// Which clusters a sweep visits: all of [0, count), or those named in `clusters`.

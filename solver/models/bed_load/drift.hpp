@@ -87,7 +87,7 @@ struct BedLoadDriftPass {
     Around up;
     const Vec<Dim, float> own_normal = bed_states::pick<Dim>(bed[i].normal);
     const float support = scene.support();
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index entry = list.begin[cluster]; entry < list.begin[cluster + 1]; ++entry) {
       const Index j = list.entries[entry];
       if (j == list.none || records[j].volume == 0) continue;

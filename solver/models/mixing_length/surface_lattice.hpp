@@ -160,7 +160,7 @@ struct AddBedPass {
     bool wet = false;
     float solid = 0;
     Vec<Dim, float> outward{};
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index entry = list.begin[cluster]; entry < list.begin[cluster + 1]; ++entry) {
       const Index j = list.entries[entry];
       if (j == list.none || j == i || records[j].volume == 0) continue;

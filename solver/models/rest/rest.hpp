@@ -100,7 +100,7 @@ struct MayStop {
   HOST_DEVICE bool operator()(Index i) const {
     const float time = scene.rest.time;
     if (records[i].kind != kind::deposit || sediment[i].time_below_yield < time) return false;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     bool held = false;
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];

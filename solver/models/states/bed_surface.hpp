@@ -138,7 +138,7 @@ struct NearestWaterPass {
     if (!is_sediment(records[i]) || !(bed[i].water_share > 0)) return;
     float nearest2 = scene.support() * scene.support();
     Index nearest = list.none;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (!is_water(records[j])) continue;

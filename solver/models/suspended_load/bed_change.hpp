@@ -54,7 +54,7 @@ struct ReceiverPass {
     if (!(grains[i] > needed * packed)) return;
     const float reach = bed_change::touch * static_cast<float>(scene.spacing);
     float nearest2 = reach * reach;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (j == list.none || records[j].volume == 0 || is_water(records[j]) == water) continue;
@@ -91,7 +91,7 @@ struct BecomeBedPass {
     if (!is_water(r) || r.volume == 0) return;
     double received = 0;
     bool becomes_bed = receiver[i] == i;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (j == list.none || j >= list.fluid_count || j == i || receiver[j] != i) continue;

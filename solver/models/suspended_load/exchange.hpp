@@ -119,7 +119,7 @@ struct BedSourcePass {
  private:
   [[nodiscard]] HOST_DEVICE float weight_of_water(Index i) const {
     float sum = 0;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (j == list.none || records[j].volume == 0 || !is_water(records[j])) continue;
@@ -150,7 +150,7 @@ struct BedExchangePass {
     const bool water = is_water(records[i]);
     if (!water && !(suspended[i].exposed > 0)) return;
     double gain = 0;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (j == list.none || records[j].volume == 0) continue;

@@ -122,6 +122,10 @@ struct SettlingSweep {
 };
 
 /// Particle pass: diffusivity of the grains, that of the eddies that a turbulence model finds and the scene's own.
+///
+/// The lowest water has neighbours on one side only, so that it sees the shear of the current's profile a spacing dp over
+/// the wall, u*/(kappa dp), instead of u*/(kappa z) at its own height z. The grains need the latter: without it the lowest
+/// row's mixing is half of what it should be.
 template <int Dim>
 struct DiffusivityPass {
   using reads = Reads<field::matter, field::sub_particle, field::eddies>;
@@ -139,7 +143,11 @@ struct DiffusivityPass {
     if (!is_water(records[i])) return;
     float of_eddies = 0;
     if (sub_particle != nullptr) of_eddies = sub_particle[i].eddy_viscosity;
-    if (eddies != nullptr) of_eddies = eddies[i].viscosity;
+    if (eddies != nullptr) {
+      const auto dp = static_cast<float>(scene.spacing);
+      const float z = eddies[i].wall_distance;
+      of_eddies = eddies[i].viscosity * (z > 0.25F * dp && z < dp ? dp / z : 1);
+    }
     suspended[i].diffusivity = law.diffusivity + of_eddies / law.schmidt;
   }
 };

@@ -48,7 +48,7 @@ struct SurfaceSourcePass {
     const SuspendedLoadConstants& law = scene.suspended_load;
     float in_layer = 0;
     float in_reach = 0;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (j == list.none || records[j].volume == 0 || !is_water(records[j])) continue;
@@ -109,7 +109,7 @@ struct SurfaceExchangePass {
     const bool water = is_water(records[i]);
     if (!water && !(suspended[i].exposed > 0)) return;
     double flux = 0;
-    const Index cluster = i / cluster_size;
+    const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
       if (j == list.none || records[j].volume == 0 || is_water(records[j]) == water) continue;
