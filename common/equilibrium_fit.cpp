@@ -91,6 +91,42 @@ double correlation_with_next(const Eigen::ArrayXd& residuals) {
   return std::clamp(r, 0.0, 0.99);
 }
 
+/// T and S_eq of the curve with the least misfit.
+struct Curve {
+  double logarithm = 0;  // of T
+  double equilibrium = 0;
+  double lowest_logarithm = 0;  // of those searched
+};
+Curve best_curve(const Series& series) {
+  Curve curve;
+  curve.lowest_logarithm = std::log(0.1 * series.least_step());
+  curve.logarithm = best_logarithm(series, curve.lowest_logarithm, std::log(100 * series.last_time()));
+  curve.equilibrium = series.equilibrium(std::exp(curve.logarithm));
+  return curve;
+}
+
+/// Standard errors of S_eq and T, if residuals do not depend on each other.
+Eigen::Vector2d standard_errors(const Series& series, double T) {
+  const Eigen::ArrayXd residuals = series.residuals(T);
+  const double variance = residuals.square().sum() / static_cast<double>(residuals.size() - 2);
+  const Eigen::MatrixX2d J = series.jacobian(T);
+  // T is of another unit than S_eq: the columns are scaled to one before they are inverted.
+  const Eigen::Vector2d size = J.colwise().norm();
+  const Eigen::MatrixX2d scaled = J * size.cwiseInverse().asDiagonal();
+  const Eigen::Matrix2d inverse = (scaled.transpose() * scaled).inverse();
+  return (variance * inverse.diagonal()).cwiseMax(0).cwiseSqrt().cwiseQuotient(size);
+}
+
+/// S_eq over that of the first half of the time with two of its standard errors, less 1.
+double growth_of(double equilibrium, const std::vector<double>& times, const std::vector<double>& depths) {
+  const auto half = std::upper_bound(times.begin(), times.end(), 0.5 * times.back()) - times.begin();
+  if (half < static_cast<std::ptrdiff_t>(fewest_readings)) return 0;
+  const Series series({times.begin(), times.begin() + half}, {depths.begin(), depths.begin() + half});
+  const Curve curve = best_curve(series);
+  const double before = curve.equilibrium + 2 * standard_errors(series, std::exp(curve.logarithm))[0];
+  return before > 0 ? equilibrium / before - 1 : 0;
+}
+
 }  // namespace
 
 EquilibriumFit fit_equilibrium(const std::vector<double>& times, const std::vector<double>& depths) {
@@ -105,13 +141,11 @@ EquilibriumFit fit_equilibrium(const std::vector<double>& times, const std::vect
     fit.refusal = "no fit: the depth does not change";
     return fit;
   }
-  const double low = std::log(0.1 * series.least_step());
-  const double high = std::log(100 * series.last_time());
-  const double logarithm = best_logarithm(series, low, high);
-  const double T = std::exp(logarithm);
+  const Curve curve = best_curve(series);
+  const double T = std::exp(curve.logarithm);
   constexpr double at_the_edge = 1e-6;
-  const double S_eq = series.equilibrium(T);
-  if (!(S_eq > 0) || logarithm - low < at_the_edge) {
+  const double S_eq = curve.equilibrium;
+  if (!(S_eq > 0) || curve.logarithm - curve.lowest_logarithm < at_the_edge) {
     fit.refusal = "no fit: the depth does not grow towards an equilibrium";
     return fit;
   }
@@ -120,23 +154,22 @@ EquilibriumFit fit_equilibrium(const std::vector<double>& times, const std::vect
   fit.equilibrium = S_eq;
   fit.time_scale = T;
   fit.reached = -std::expm1(-series.last_time() / T);
+  fit.growth = growth_of(S_eq, times, depths);
   fit.rms = std::sqrt(residuals.square().sum() / n);
   fit.autocorrelation = correlation_with_next(residuals);
   const double inflation = (1 + fit.autocorrelation) / (1 - fit.autocorrelation);
-  const double variance = residuals.square().sum() / (n - 2) * inflation;
-  const Eigen::MatrixX2d J = series.jacobian(T);
-  // T is of another unit than S_eq: the columns are scaled to one before they are inverted.
-  const Eigen::Vector2d size = J.colwise().norm();
-  const Eigen::Matrix2d scaled =
-      (J * size.cwiseInverse().asDiagonal()).transpose() * (J * size.cwiseInverse().asDiagonal());
-  const Eigen::Matrix2d inverse = scaled.inverse();
-  fit.equilibrium_error = 2 * std::sqrt(std::max(0.0, variance * inverse(0, 0))) / size[0];
-  fit.time_scale_error = 2 * std::sqrt(std::max(0.0, variance * inverse(1, 1))) / size[1];
+  const Eigen::Vector2d errors = 2 * std::sqrt(inflation) * standard_errors(series, T);
+  fit.equilibrium_error = errors[0];
+  fit.time_scale_error = errors[1];
   return fit;
 }
 
 std::string describe_fit(const EquilibriumFit& fit, const std::string& depth_unit, const std::string& time_unit) {
   if (!fit.is_fitted()) return fit.refusal;
+  if (fit.still_grows() && fit.reached > enough_reached) {
+    return fmt::format("not reached: it still grows; S_eq of all readings is {:.0f} % above that of the first half",
+                       100 * fit.growth);
+  }
   if (!fit.has_reached()) return fmt::format("not reached: S/S_eq {:.2f}", fit.reached);
   return fmt::format(
       "S_eq {:.4g} {} +- {:.2g} {}, T {:.4g} {} +- {:.2g} {} (two standard errors), rms {:.2g} {}, S/S_eq {:.2f}",

@@ -99,6 +99,27 @@ TEST(EquilibriumFit, SaysThatTheEquilibriumIsNotReached) {
   EXPECT_EQ(describe_fit(fit, "m", "s"), "not reached: S/S_eq 0.63");
 }
 
+// Holes that grow like a logarithm or a power of time have no equilibrium, and an exponential fits each as if it were at its
+// end. A true exponential is not taken for one of them, with or without noise.
+TEST(EquilibriumFit, TellsSlowGrowthFromAnEquilibrium) {
+  const auto fit = [](double (*depth)(double)) {
+    Readings series;
+    for (int i = 1; i <= 100; ++i) series.times.push_back(0.25 * i), series.depths.push_back(depth(0.25 * i));
+    return fit_of(series);
+  };
+  for (const auto depth : {+[](double t) { return 0.1 * std::log(1 + t); }, +[](double t) { return std::pow(t, 0.2); },
+                           +[](double t) { return 1 - std::exp(-std::pow(t / 5, 0.6)); }}) {
+    EXPECT_GT(fit(depth).reached, 0.95);
+    EXPECT_FALSE(fit(depth).has_reached());
+    EXPECT_THAT(describe_fit(fit(depth), "m", "s"), HasSubstr("not reached: it still grows"));
+  }
+  EXPECT_TRUE(fit(+[](double t) { return 1 - std::exp(-t / 15); }).has_reached());  // to 0.81
+  int reached = 0;
+  for (unsigned seed = 0; seed < 400; ++seed)
+    reached += fit_of(readings(60, 120, 0.004, 0, seed)).has_reached() ? 1 : 0;
+  EXPECT_GE(reached, 396);
+}
+
 // A hole that grows in proportion to time has an equilibrium at infinity; the search ends at a hundred times the
 // series.
 TEST(EquilibriumFit, SeesNoEquilibriumInALine) {
