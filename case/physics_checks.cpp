@@ -40,9 +40,7 @@ std::string grains_exceed_the_bed(const Case& c) {
 std::string falls_through_its_period(const Case& c) {
   Eigen::Index down = 0;
   if (c.domain.gravity.cwiseAbs().maxCoeff(&down) == 0) return "";
-  const std::string axis(1, "xyz"[down]);
-  const bool periodic = std::find(c.domain.periodic.begin(), c.domain.periodic.end(), axis) != c.domain.periodic.end();
-  return periodic ? "domain.periodic" : "";
+  return c.domain.is_periodic(static_cast<int>(down)) ? "domain.periodic" : "";
 }
 
 /// The least and the greatest way [m] that a motion along a line has gone in the course of the run; 0 for others.

@@ -81,10 +81,6 @@ class Flood {
     const Label label = filling_.label[static_cast<std::size_t>(node)];
     return label == solid_core || (label != nothing && shapes_[label - 1U].is_wall());
   }
-  [[nodiscard]] bool is_periodic(int axis) const {
-    const auto& periodic = scene_.domain.periodic;
-    return std::find(periodic.begin(), periodic.end(), std::string(1, "xyz"[axis])) != periodic.end();
-  }
 
   static Index3 moved(Index3 at, unsigned char direction) {
     at[direction / 2] += direction % 2 == 0 ? 1 : -1;
@@ -101,7 +97,7 @@ class Flood {
       return std::nullopt;
     const Vec3 place = lattice_.position(to);
     const bool left_domain = place[axis] < scene_.domain.from[axis] || place[axis] > scene_.domain.to[axis];
-    if (left_domain && is_periodic(axis)) return std::nullopt;
+    if (left_domain && scene_.domain.is_periodic(axis)) return std::nullopt;
     const bool left = left_lattice || left_domain;
     if (left && room_.inside_containers(place)) return std::nullopt;  // through an open face
     if (left || !room_.inside_rooms(place)) return Leak{path_to(node, place), room_.has_rooms()};

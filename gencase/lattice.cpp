@@ -109,8 +109,7 @@ Lattice make_lattice(const Case& scene, const std::vector<PlacedShape>& shapes, 
 void check_periods(const Case& scene) {
   const double spacing = scene.numerics.spacing;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto& periodic = scene.domain.periodic;
-    if (std::find(periodic.begin(), periodic.end(), std::string(1, "xyz"[axis])) == periodic.end()) continue;
+    if (!scene.domain.is_periodic(axis)) continue;
     const double length = scene.domain.to[axis] - scene.domain.from[axis];
     const double cells = length / spacing;
     if (std::abs(cells - std::round(cells)) <= tolerated_offset) continue;

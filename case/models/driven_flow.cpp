@@ -26,8 +26,7 @@ namespace {
 /// Of a direction that a flow can have; the table refuses others.
 bool is_not_periodic(const Case& c) {
   const bool known = c.flow.along == "x" || (c.flow.along == "y" && c.info.dimension == 3);
-  return known &&
-         std::find(c.domain.periodic.begin(), c.domain.periodic.end(), c.flow.along) == c.domain.periodic.end();
+  return known && !c.domain.is_periodic(c.flow.along == "x" ? 0 : 1);
 }
 
 bool has_no_water(const Case& c) {

@@ -1,10 +1,16 @@
 #include "case/tables/domain.hpp"
 
+#include <algorithm>
 #include <set>
+#include <string>
 
 #include "case/tables/common_checks.hpp"
 
 namespace thalweg {
+
+bool Domain::is_periodic(int axis) const {
+  return std::find(periodic.begin(), periodic.end(), std::string(1, "xyz"[axis])) != periodic.end();
+}
 
 void Domain::check(const Case&, const CheckContext& at) const {
   check_corners(at, from, to);

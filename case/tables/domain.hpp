@@ -17,6 +17,9 @@ struct Domain {
   Vec3 gravity{0, 0, -9.81};             // [m/s^2]
   std::vector<std::string> periodic;
 
+  /// True if the domain repeats itself along x (axis 0), y or z.
+  [[nodiscard]] bool is_periodic(int axis) const;
+
   template <class V>
   void describe(V& v) {
     v.point("from", from, "m", "Lower corner of the domain; particles that leave the domain are excluded and counted.");

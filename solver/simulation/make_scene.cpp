@@ -58,17 +58,16 @@ template <int Dim>
 void make_periodic(const Case& from, const Scene<Dim>& s, Vec<Dim, double>& low, Vec<Dim, double>& high,
                    bool (&periodic)[Dim]) {
   for (int k = 0; k < Dim; ++k) {
-    const std::string name(1, "xyz"[axis<Dim>(k)]);
-    const auto& wanted = from.domain.periodic;
-    periodic[k] = std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+    periodic[k] = from.domain.is_periodic(axis<Dim>(k));
     if (!periodic[k]) continue;
     low[k] = s.domain_from[k];
     high[k] = s.domain_to[k];
     if (high[k] - low[k] >= 2 * s.list_reach) continue;
-    throw InputError(fmt::format(
-        "{}: domain.periodic: the period along {} ({}) is shorter than twice the neighbour "
-        "list's reach ({}); make the domain longer or the spacing smaller",
-        from.file.string(), name, format_quantity(high[k] - low[k], "m"), format_quantity(2 * s.list_reach, "m")));
+    throw InputError(
+        fmt::format("{}: domain.periodic: the period along {} ({}) is shorter than twice the neighbour "
+                    "list's reach ({}); make the domain longer or the spacing smaller",
+                    from.file.string(), "xyz"[axis<Dim>(k)], format_quantity(high[k] - low[k], "m"),
+                    format_quantity(2 * s.list_reach, "m")));
   }
 }
 
