@@ -14,7 +14,7 @@ inline constexpr double least_layer = 0.5;
 /// Heights in one column of a grid [m]; NaN where there is less than a layer of anything.
 struct ColumnLevels {
   double free_surface = 0;
-  double bed = 0;  // top of the sediment, moving or not; the floor where that is bare; NaN on a wall that moves
+  double bed = 0;  // top of the sediment, moving or not, also below a pipe; the floor where bare; NaN on a moving wall
   double motionless_bed = 0;  // top of the sediment at rest; the floor where nothing rests; NaN on a wall that moves
   double floor = 0;           // the wall under the fluid; also where the column is empty, but for walls that move
 };

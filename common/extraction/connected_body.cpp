@@ -127,6 +127,11 @@ double ConnectedBody::top(std::size_t column) const {
   return crossing(grid.z(k), fraction(grid.node(column, k)), grid.z(k + 1), fraction(above));
 }
 
+bool ConnectedBody::reaches_lid(std::size_t column) const {
+  const std::size_t k = highest_row(column);
+  return k != none && k + 1 < sums_.grid.nz && sums_.in_wall(sums_.grid.node(column, k + 1));
+}
+
 double ConnectedBody::base(std::size_t column) const {
   const SamplingGrid& grid = sums_.grid;
   std::size_t k = highest_row(column);

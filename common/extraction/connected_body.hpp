@@ -20,6 +20,9 @@ class ConnectedBody {
   /// The wall under the body's top in a column [m]; without a wall the body's own lower edge; NaN without body.
   [[nodiscard]] double base(std::size_t column) const;
 
+  /// True if a wall lies on the body's top in a column.
+  [[nodiscard]] bool reaches_lid(std::size_t column) const;
+
   [[nodiscard]] bool belongs(std::size_t node) const { return belongs_[node] != 0; }
   /// A filled node of some other body: a drop, a floating grain.
   [[nodiscard]] bool is_apart(std::size_t node) const { return !belongs(node) && is_filled(node); }

@@ -39,7 +39,8 @@ struct ExtractedProfile {
 /// free_surface: water and sediment together, so it is the bed where the bed is dry. bed: sediment alone. moving_bed:
 /// sediment at rest, which is State deposit where the set has states, and |u| < rest_speed otherwise. Where water
 /// stands on a floor bare of sediment (or nothing rests), bed (or moving_bed) is the floor; on a wall that moves there
-/// is none. floor: the wall under the fluid. Columns with less than least_layer * dp of anything are NaN but for the
+/// is none. Below a wall that hangs in the fluid the bed is the sediment's, if there is fluid between. floor: the wall
+/// under the fluid. Columns with less than least_layer * dp of anything are NaN but for the
 /// floor. A set without walls has no floor: its largest body counts.
 ///
 /// Needs Type and positions, spacing and smoothing length in `particles.info`; without mass and density every particle

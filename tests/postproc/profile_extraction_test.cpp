@@ -201,6 +201,31 @@ TEST(ExtractProfile, DryBedIsTheFreeSurfaceAndEmptyColumnsAreMissing) {
   EXPECT_NEAR(profile.x.back(), 1, 1e-9);  // the grid does not depend on where the fluid is
 }
 
+// A pipe that hangs over a bed hides nothing of it; one that lies in the bed does.
+TEST(ExtractProfile, ShowsTheBedBelowAPipe) {
+  for (const double pipe_bottom : {0.10, 0.06}) {
+    SCOPED_TRACE(pipe_bottom);
+    Flume flume;
+    flume.begin();
+    flume.add_walls();
+    const auto height = [](double z) { return [z](double) { return z; }; };
+    flume.fill(ParticleType::sediment, 0, 1, flat, height(0.06));
+    flume.fill(ParticleType::water, 0, 0.45, height(0.06), height(0.2));
+    flume.fill(ParticleType::water, 0.55, 1, height(0.06), height(0.2));
+    if (pipe_bottom > 0.06) flume.fill(ParticleType::water, 0.45, 0.55, height(0.06), height(pipe_bottom));
+    flume.fill(ParticleType::water, 0.45, 0.55, height(0.14), height(0.2));
+    for (double x = 0.4525; x < 0.55; x += flume.spacing) {
+      for (double z = pipe_bottom + 0.5 * flume.spacing; z < 0.14; z += flume.spacing) {
+        flume.add(ParticleType::wall, {x, 0, z});
+      }
+    }
+    const Profile profile = extract_profile(flume.set, {}).profile;
+    EXPECT_NEAR(at(profile, profile.bed, 0.2), 0.06, 0.1 * flume.spacing);
+    EXPECT_NEAR(at(profile, profile.bed, 0.5), pipe_bottom > 0.06 ? 0.06 : 0.14, 0.3 * flume.spacing);
+    EXPECT_NEAR(at(profile, profile.free_surface, 0.5), 0.2, 0.1 * flume.spacing);
+  }
+}
+
 TEST(ExtractProfile, TakesNoNoticeOfAGateLiftedAboveTheFlume) {
   Flume flume;
   flume.begin();
