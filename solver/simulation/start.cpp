@@ -43,7 +43,7 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   input.profile = options.profile;
   input.ranks = options.ranks;
   input.motions = make_motions(of);
-  input.openings = make_openings(of);
+  input.openings = make_openings(of, particles.info.lattice_node);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;
   if (options.ranks != nullptr) {
     check_for_ranks(input.scene, options.backend);

@@ -18,11 +18,13 @@ GrainsOfInlets::GrainsOfInlets(const Case& of) : viscosity_(of.water.viscosity /
   grain_stress_ = grain_stress_of(of);
 }
 
-double GrainsOfInlets::concentration(const Inlet& inlet, double height, double depth, double velocity) const {
+double GrainsOfInlets::concentration(const Inlet& inlet, double height, double depth, double velocity,
+                                     double bed_stress) const {
   if (inlet.grains != InletGrains::equilibrium) {
     return inlet.concentration_at(height, depth, velocity, viscosity_, settling_velocity_);
   }
-  const double friction = friction_velocity_of_current(velocity, depth, viscosity_, inlet.roughness);
+  const double friction = bed_stress > 0 ? std::sqrt(bed_stress / bed_.water_density)
+                                         : friction_velocity_of_current(velocity, depth, viscosity_, inlet.roughness);
   return reference_concentration(bed_, std::sqrt(grain_stress_) * friction, settling_velocity_) *
          rouse_share(height, reference_level_, depth, friction, settling_velocity_);
 }

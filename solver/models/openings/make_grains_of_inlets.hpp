@@ -13,8 +13,9 @@ class GrainsOfInlets {
   /// [kg/m^3] of a grain; 0 where water carries none.
   [[nodiscard]] double density() const { return density_; }
   /// Volume share of the grains at a height over the inlet's lower edge [m], in water of a depth [m] with a mean velocity
-  /// [m/s]. Not of those that come back.
-  [[nodiscard]] double concentration(const Inlet& inlet, double height, double depth, double velocity) const;
+  /// [m/s] over a bed with a shear stress [Pa]; 0: as the inlet's profile makes it. Not of those that come back.
+  [[nodiscard]] double concentration(const Inlet& inlet, double height, double depth, double velocity,
+                                     double bed_stress) const;
 
  private:
   double viscosity_;              // [m^2/s]

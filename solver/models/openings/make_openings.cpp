@@ -8,6 +8,7 @@
 #include "case/models/openings.hpp"
 #include "physics/water/equation_of_state.hpp"
 #include "solver/models/openings/make_grains_of_inlets.hpp"
+#include "solver/models/openings/make_zone.hpp"
 #include "solver/models/openings/waves_out.hpp"
 
 namespace thalweg {
@@ -35,31 +36,13 @@ struct InletColumns {
   double cell = 0;  // [m^2] cross-section of a column (2-D: [m])
 };
 
-Zone zone_of(const Opening& opening, const Case& of) {
-  Zone zone;
-  const OpeningAxes axes = opening.axes();
-  for (int c = 0; c < 3; ++c) {
-    zone.at[c] = opening.at[c];
-    zone.flow[c] = axes.flow[c];
-    zone.up[c] = axes.up[c];
-    zone.across[c] = of.info.dimension == 3 ? axes.across[c] : 0;
-  }
-  zone.half_up = 0.5 * opening.extent_up();
-  zone.half_across = 0.5 * opening.extent_across(of.info.dimension);
-  zone.round = opening.is_round();
-  zone.length = zone_length(of);
-  zone.spacing = of.numerics.spacing;
-  zone.upright = std::abs(axes.flow.z()) < 1e-6 && !opening.is_round();
-  return zone;
-}
-
 Index parts_of(double length, double spacing) {
   return static_cast<Index>(std::max(1.0, std::round(length / spacing)));
 }
 
 class OpeningsOfCase final : public Openings {
  public:
-  explicit OpeningsOfCase(const Case& of)
+  OpeningsOfCase(const Case& of, const std::optional<Vec3>& lattice_node)
       : dimension_(of.info.dimension),
         spacing_(of.numerics.spacing),
         density_(of.water.density),
@@ -69,9 +52,9 @@ class OpeningsOfCase final : public Openings {
         layers_(static_cast<int>(std::floor(zone_length(of) / of.numerics.spacing))),
         grains_of_inlets_(of),
         outlets_(of.outlets) {
-    for (const Inlet& inlet : of.inlets) add(inlet, of);
+    for (const Inlet& inlet : of.inlets) add(inlet, of, lattice_node);
     for (const Outlet& outlet : outlets_) {
-      Zone zone = zone_of(outlet, of);
+      Zone zone = make_zone(outlet, of, lattice_node);
       zone.falls = outlet.kind == OutletKind::fall;
       zone.pumps = outlet.kind == OutletKind::pump;
       zones_.push_back(zone);
@@ -82,6 +65,7 @@ class OpeningsOfCase final : public Openings {
       of_zones->resize(zones_.size());
     }
     waves_.resize(inlets_.size());
+    bed_stresses_.assign(inlets_.size(), 0);
     speeds_.assign(columns_.size(), dry_column);
   }
 
@@ -115,6 +99,8 @@ class OpeningsOfCase final : public Openings {
     set_speeds(time);
     return before != speeds_ || levels != levels_ || takes != takes_;
   }
+
+  void set_bed_stress(std::size_t inlet, double stress) override { bed_stresses_[inlet] = stress; }
 
   void advance(double dt, Population& population) override {
     since_fill_ += dt;
@@ -195,8 +181,8 @@ class OpeningsOfCase final : public Openings {
   }
 
  private:
-  void add(const Inlet& inlet, const Case& of) {
-    Zone zone = zone_of(inlet, of);
+  void add(const Inlet& inlet, const Case& of, const std::optional<Vec3>& lattice_node) {
+    Zone zone = make_zone(inlet, of, lattice_node);
     zone.enters = true;
     zone.is_full = inlet.surface == InletSurface::full;
     zone.rows = parts_of(2 * zone.half_up, spacing_);
@@ -336,7 +322,8 @@ class OpeningsOfCase final : public Openings {
   [[nodiscard]] double concentration_in(std::size_t n, const Column& column) const {
     const Inlet& inlet = inlets_[n].inlet;
     if (inlet.grains == InletGrains::recirculated) return rates_[n] > 0 ? returning_ / rates_[n] : 0;
-    return grains_of_inlets_.concentration(inlet, column.up + zones_[n].half_up, depth_in(n), means_[n]);
+    return grains_of_inlets_.concentration(inlet, column.up + zones_[n].half_up, depth_in(n), means_[n],
+                                           bed_stresses_[n]);
   }
 
   /// A particle of a column, `layer` spacings behind its first.
@@ -379,6 +366,7 @@ class OpeningsOfCase final : public Openings {
   std::vector<double> rates_;            // [m^3/s] of inlets (2-D: [m^2/s])
   std::vector<double> means_;            // [m/s] mean velocities of inlets
   std::vector<WavesOut> waves_;          // of inlets
+  std::vector<double> bed_stresses_;     // [Pa] of inlets
   double since_fill_ = 0;                // [s] since columns were chosen
   std::optional<double> water_of_pump_;  // [kg] net_water() that a pump keeps
   double returning_ = 0;                 // [m^3/s] grains that come back (2-D: [m^2/s])
@@ -392,9 +380,9 @@ class OpeningsOfCase final : public Openings {
 
 }  // namespace
 
-std::shared_ptr<Openings> make_openings(const Case& of) {
+std::shared_ptr<Openings> make_openings(const Case& of, const std::optional<Vec3>& lattice_node) {
   if (!models::OpenBoundaries::is_on(of)) return nullptr;
-  return std::make_shared<OpeningsOfCase>(of);
+  return std::make_shared<OpeningsOfCase>(of, lattice_node);
 }
 
 }  // namespace thalweg

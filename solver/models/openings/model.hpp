@@ -34,6 +34,16 @@ double time_of_openings(const Workspace& work) {
   return work.surface_bed ? work.surface_bed->bed_time() : work.time;
 }
 
+/// Tells the inlets what the bed feels in front of them.
+template <class Workspace>
+void tell_bed_stress(Workspace& work) {
+  if (!work.surface_bed) return;
+  const std::vector<Zone>& zones = work.openings->zones();
+  for (std::size_t n = 0; n < zones.size() && zones[n].enters; ++n) {
+    work.openings->set_bed_stress(n, work.surface_bed->stress_at_inlet(n));
+  }
+}
+
 template <class Device>
 void upload_openings(Device& on, OpeningsWork<Device>& work) {
   const Openings& openings = *work.openings;
@@ -105,6 +115,7 @@ struct OpeningsModel {
   template <class Device, class Scene, class Workspace>
   static void before_lists(Device& on, Particles<Device>& p, const Scene& scene, Workspace& work) {
     Openings& openings = *work.openings;
+    tell_bed_stress(work);
     openings.fill(time_of_openings(work), waters_at_openings(on, p, scene, work, p.fluid()), work.population);
     upload_openings(on, work);
     for (std::size_t n = 0; n < openings.zones().size(); ++n) {
@@ -118,6 +129,7 @@ struct OpeningsModel {
   static void at_start(C& step) {
     auto& work = step.work;
     auto& p = step.p;
+    tell_bed_stress(work);
     if (work.openings->set_time(time_of_openings(work))) upload_openings(step.on, work);
     step.on.for_each(p.fluid_count,
                      PrescribePass<C::dimension>{p.record.data(), p.position.data(), p.role.data(), work.zones.data(),

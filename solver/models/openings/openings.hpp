@@ -37,6 +37,9 @@ class Openings {
   virtual void fill(double time, const std::vector<WaterAtOpening>& waters, Population& population) = 0;
   /// Speeds and levels at a time [s]. True if they have changed.
   virtual bool set_time(double time) = 0;
+  /// Shear stress on a bed that is a surface, where an inlet's water meets it [Pa]: as many grains come in as such a bed
+  /// holds. 0, and without a call: that of the inlet's own profile. inlet: its number in the case.
+  virtual void set_bed_stress(std::size_t inlet, double stress) = 0;
   /// After a step of dt [s]: bears who follows those that have crossed a plane.
   virtual void advance(double dt, Population& population) = 0;
 

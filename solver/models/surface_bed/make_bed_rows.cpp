@@ -11,6 +11,7 @@
 #include "case/bed_on_ground.hpp"
 #include "common/error.hpp"
 #include "solver/models/surface_bed/arrays.hpp"
+#include "solver/models/surface_bed/make_columns_beside.hpp"
 
 namespace thalweg {
 namespace {
@@ -40,8 +41,7 @@ class BedLayer {
   using Site = std::array<long long, 2>;
 
   [[nodiscard]] long long period(int axis) const {
-    const auto& periodic = case_.domain.periodic;
-    if (std::find(periodic.begin(), periodic.end(), std::string(1, "xy"[axis])) == periodic.end()) return 0;
+    if (!case_.domain.is_periodic(axis)) return 0;
     return std::llround((case_.domain.to[axis] - case_.domain.from[axis]) / spacing_);
   }
   [[nodiscard]] Site site_of(const Vec3& x) const {
@@ -162,30 +162,25 @@ class BedLayer {
     }
   }
 
-  /// Columns next to a plane through which water enters or leaves. Those beyond the plane are no bed.
+  /// Columns next to a plane through which water enters or leaves. Those beyond an outlet's plane are no bed.
   void mark_ends() {
-    laid_.columns.end.assign(laid_.columns.area.size(), BedEnd::closed);
-    const bool feeds = case_.surface_bed.feed == BedFeed::equilibrium;
-    for (const Inlet& inlet : case_.inlets) mark_end(inlet, feeds, false);
-    for (const Outlet& outlet : case_.outlets) mark_end(outlet, false, true);
-  }
-  void mark_end(const Opening& opening, bool feeds, bool is_outlet) {
-    const OpeningAxes axes = opening.axes();
-    const int axis = std::abs(axes.flow.x()) > std::abs(axes.flow.y()) ? 0 : 1;
-    if (std::abs(axes.flow[axis]) < 0.9) return;  // straight down or up, or across the lattice: no end of the bed
-    const BedGrid& grid = laid_.columns.grid;
-    for (int c = 0; c < grid.columns(); ++c) {
-      const Vec3 way = middle_of(c) - opening.at;
-      const double along = way.dot(axes.flow) * (is_outlet ? -1 : 1);  // from the plane into the scene
-      const bool in_width =
-          !in_space_ || std::abs(way.dot(axes.across)) < 0.5 * opening.extent_across(case_.info.dimension);
-      if (!in_width) continue;
-      const auto n = static_cast<std::size_t>(c);
-      if (is_outlet && along < 0 && along > -4 * case_.smoothing_length()) laid_.columns.area[n] = 0;
-      if (along < 0 || along >= spacing_) continue;
-      if (is_outlet) laid_.columns.end[n] = open_end(axis, axes.flow[axis] > 0);
-      if (feeds) laid_.columns.end[n] = BedEnd::fed;
+    GrainColumns& bed = laid_.columns;
+    bed.end.assign(bed.area.size(), BedEnd::closed);
+    for (const Outlet& outlet : case_.outlets) {
+      const double zone = 4 * case_.smoothing_length();
+      for (const int c : beside(outlet, 0, zone)) bed.area[static_cast<std::size_t>(c)] = 0;
+      const int axis = axis_of(outlet);
+      for (const int c : beside(outlet, -spacing_, 0)) {
+        bed.end[static_cast<std::size_t>(c)] = open_end(axis, outlet.axes().flow[axis] > 0);
+      }
     }
+    if (case_.surface_bed.feed != BedFeed::equilibrium) return;
+    for (const Inlet& inlet : case_.inlets) {
+      for (const int c : beside(inlet, 0, spacing_)) bed.end[static_cast<std::size_t>(c)] = BedEnd::fed;
+    }
+  }
+  [[nodiscard]] std::vector<int> beside(const Opening& opening, double from, double to) const {
+    return columns_beside(opening, case_, laid_.columns.grid, laid_.first, from, to);
   }
 
   /// The particles but for the sediment, then the rows of the bed. The numbers of the sediment go to the rows, from

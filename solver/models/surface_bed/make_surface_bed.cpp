@@ -11,6 +11,7 @@
 #include "common/error.hpp"
 #include "physics/bed/advance_bed.hpp"
 #include "solver/models/surface_bed/make_bed_rows.hpp"
+#include "solver/models/surface_bed/make_columns_beside.hpp"
 
 namespace thalweg {
 namespace {
@@ -37,7 +38,7 @@ class NumberReader {
 class ColumnBed final : public SurfaceBed {
  public:
   explicit ColumnBed(const Case& of)
-      : grains_(grains_of(of)), spacing_(of.numerics.spacing), settings_(of.surface_bed) {
+      : case_(of), grains_(grains_of(of)), spacing_(of.numerics.spacing), settings_(of.surface_bed) {
     const double speed = of.numerics.maximum_speed;
     longest_half_ = settings_.window > 0 ? 0.5 * settings_.window : 25 * spacing_ / speed;
     shortest_half_ = std::min(longest_half_, 2 * spacing_ / speed);
@@ -52,6 +53,7 @@ class ColumnBed final : public SurfaceBed {
     from_ = initial_ = levels();
     shear_.assign(from_.size(), 0);
     lifted_.assign(from_.size(), 0);
+    find_inlets();
     gather_from(time);
     last_step_ = std::max(time, settings_.spin_up);
     show();
@@ -92,6 +94,7 @@ class ColumnBed final : public SurfaceBed {
     in.array(lifted_, columns);
     half_.resize(columns);
     for (ColumnShear& of : half_) of.x = in.next(), of.y = in.next(), of.time = in.next();
+    find_inlets();
     show();
     return !in.failed();
   }
@@ -154,14 +157,18 @@ class ColumnBed final : public SurfaceBed {
   }
 
   void take(const std::vector<ColumnShear>& sums, double time) override {
-    if (time <= settings_.spin_up) {
-      lifted_.assign(lifted_.size(), 0);
-      gather_from(time);
-      return;
-    }
     std::vector<ColumnShear> means = sums;
     for (ColumnShear& of : means) {
       if (of.time > 0) of.x /= of.time, of.y /= of.time;
+    }
+    if (time <= settings_.spin_up) {
+      lifted_.assign(lifted_.size(), 0);
+      for (std::size_t c = 0; c < means.size(); ++c) {
+        shear_[c] = static_cast<float>(std::hypot(means[c].x, means[c].y));
+      }
+      gather_from(time);
+      show();
+      return;
     }
     ++halves_;
     const double change = knows_half_ ? change_between(half_, means) : std::numeric_limits<double>::infinity();
@@ -181,6 +188,13 @@ class ColumnBed final : public SurfaceBed {
     from_ = levels();
     gather_from(time);
     show();
+  }
+
+  [[nodiscard]] double stress_at_inlet(std::size_t inlet) const override {
+    double sum = 0;
+    for (const int c : beside_inlets_[inlet]) sum += double(shear_[static_cast<std::size_t>(c)]);
+    const std::size_t number = beside_inlets_[inlet].size();
+    return number > 0 ? sum / static_cast<double>(number) : 0;
   }
 
   [[nodiscard]] BedReport report() const override {
@@ -221,6 +235,16 @@ class ColumnBed final : public SurfaceBed {
     std::vector<double> out;
     for (int c = 0; c < bed_.grid.columns(); ++c) out.push_back(bed_.level(c));
     return out;
+  }
+
+  /// The bed within ten spacings of an inlet, behind its first column, whose flow still feels the plane.
+  void find_inlets() {
+    for (const Inlet& inlet : case_.inlets) {
+      std::vector<int> columns = columns_beside(inlet, case_, bed_.grid, first_, spacing_, 10 * spacing_);
+      const auto is_solid = [&](int c) { return !(bed_.area[static_cast<std::size_t>(c)] > 0); };
+      columns.erase(std::remove_if(columns.begin(), columns.end(), is_solid), columns.end());
+      beside_inlets_.push_back(std::move(columns));
+    }
   }
 
   void gather_from(double time) {
@@ -309,6 +333,7 @@ class ColumnBed final : public SurfaceBed {
     return steps > 0 ? rise / steps : 0;
   }
 
+  Case case_;
   Grains grains_;
   double spacing_;
   SurfaceBedSettings settings_;
@@ -318,7 +343,8 @@ class ColumnBed final : public SurfaceBed {
   double lift_speed_ = 0;     // [m/s] with which the surface moves at most
   GrainColumns bed_;
   std::vector<float> rows_;
-  double first_[2] = {};           // [m] middle of the first column
+  double first_[2] = {};  // [m] middle of the first column
+  std::vector<std::vector<int>> beside_inlets_;
   std::vector<double> initial_;    // [m] levels at the start
   std::vector<double> from_;       // [m] levels before the motion
   std::vector<float> shear_;       // [Pa]

@@ -47,6 +47,9 @@ class SurfaceBed {
   /// Time of the bed [s]: what its changes stand for.
   [[nodiscard]] virtual double bed_time() const = 0;
   [[nodiscard]] virtual BedReport report() const = 0;
+  /// Mean shear stress of the last window on the bed that an inlet's water meets first [Pa]; 0 before there is one.
+  /// inlet: its number in the case.
+  [[nodiscard]] virtual double stress_at_inlet(std::size_t inlet) const = 0;
 
   /// All that a checkpoint needs (make_surface_bed.hpp reads it).
   [[nodiscard]] virtual std::vector<double> numbers() const = 0;

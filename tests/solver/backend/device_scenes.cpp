@@ -273,7 +273,7 @@ std::shared_ptr<Openings> DeviceScene::openings() const {
   outlet.height = 0.1;
   outlet.kind = OutletKind::level;
   outlet.level = 0.11;
-  return make_openings(of);
+  return make_openings(of, std::nullopt);
 }
 
 std::shared_ptr<SurfaceBed> DeviceScene::surface_bed(const ParticleSet& from) const {
