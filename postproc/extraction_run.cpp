@@ -10,6 +10,7 @@
 #include "common/io/series.hpp"
 #include "common/whole_file.hpp"
 #include "postproc/measure_pass.hpp"
+#include "postproc/scour_record.hpp"
 #include "postproc/snapshot_files.hpp"
 #include "postproc/snapshots.hpp"
 
@@ -66,16 +67,38 @@ void take_profiles(const RunFolder& run, const MeasureSettings& settings, const 
   }
 }
 
+// Copies a snapshot's profile beside profiles/all, under a time that was asked for.
+void take_profile(const RunFolder& run, const SnapshotProfile& profile, double time, ExtractionRun& record) {
+  const fs::path file = run.profiles() / profile_file_name(time);
+  copy_whole(profile.file, file);
+  record.written.push_back({time, file, profile.get().profile});
+}
+
+// Takes the first snapshot after each of the bed's times asked for, and names the times that it has not come to.
+void take_bed_times(const RunFolder& run, const Case& resolved, ExtractionRun& record) {
+  const ScourRecord scour = read_scour(resolved, run.history());
+  for (const double wanted : resolved.compare.bed_times) {
+    const auto found = std::find_if(record.along_x.begin(), record.along_x.end(), [&](const SnapshotProfile& profile) {
+      return bed_time_at(scour, profile.time) >= wanted * (1 - 1e-7);
+    });
+    if (found != record.along_x.end()) {
+      take_profile(run, *found, wanted, record);
+      continue;
+    }
+    record.warnings.push_back(fmt::format(
+        "no snapshot at the bed's time {:g} s, which compare.bed_times asks for: the run's last is at {:g} s of it",
+        wanted, bed_time_at(scour, record.last_time)));
+    record.damaged = true;
+  }
+}
+
 // Copies the profiles at the times asked for, beside profiles/all, and names the times without a snapshot.
 void take_times_asked_for(const RunFolder& run, const std::vector<MeasuredSnapshot>& done,
                           const std::vector<double>& times, ExtractionRun& record) {
   for (std::size_t n = 0; n < done.size(); ++n) {
     const double time = done[n].measures.time;
     if (std::none_of(times.begin(), times.end(), [&](double wanted) { return is_at(time, wanted); })) continue;
-    const SnapshotProfile& profile = record.along_x[n];
-    const fs::path file = run.profiles() / profile_file_name(time);
-    copy_whole(profile.file, file);
-    record.written.push_back({time, file, profile.get().profile});
+    take_profile(run, record.along_x[n], time, record);
   }
   for (const double wanted : times) {
     const bool there = std::any_of(record.written.begin(), record.written.end(),
@@ -123,9 +146,13 @@ ExtractionRun extract_run(const RunFolder& run, const Case& resolved, const Extr
   }
   take_profiles(run, settings, done, record);
   record.initial = TimedProfile{done.front().measures.time, {}, record.along_x.front().get().profile};
-  take_times_asked_for(run, done,
-                       resolved.compare.times.empty() ? std::vector{list.entries.back().time} : resolved.compare.times,
-                       record);
+  if (!resolved.compare.bed_times.empty()) {
+    take_bed_times(run, resolved, record);
+  } else {
+    const double last_time = list.entries.back().time;
+    take_times_asked_for(run, done, resolved.compare.times.empty() ? std::vector{last_time} : resolved.compare.times,
+                         record);
+  }
 
   write_measures(run, done, resolved, record.info.spacing);
   if (settings.surfaces) write_surface_series(run, done, settings);

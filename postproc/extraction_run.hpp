@@ -38,7 +38,7 @@ struct SnapshotProfile {
 
 /// The results of one pass over a run's snapshots.
 struct ExtractionRun {
-  std::vector<TimedProfile> written;                                // at the case's compare.times
+  std::vector<TimedProfile> written;                                // at the case's compare.times or bed_times
   std::vector<FrontSample> fronts;                                  // all snapshots
   std::vector<BalanceSample> balances;                              // all snapshots
   std::optional<TimedProfile> initial;                              // of the first snapshot

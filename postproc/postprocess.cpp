@@ -45,8 +45,11 @@ RunFolder existing_run(const fs::path& folder) {
 }
 
 // A sentence on a run whose snapshots end before the case does.
-std::string shortfall_of(const RunFolder& run, double last_time, double end) {
+std::string shortfall_of(const RunFolder& run, const Case& resolved, double last_time) {
+  const double end = resolved.output.end;
   if (last_time >= end * (1 - 1e-6)) return "";
+  const double bed_end = resolved.surface_bed.end;
+  if (bed_end > 0 && bed_time_at(read_scour(resolved, run.history()), last_time) >= bed_end) return "";
   const std::string reached = fmt::format("t = {:g} s of {:g} s", last_time, end);
   if (!fs::exists(run.diverged())) return "The results end at " + reached + ": the run was stopped, or it goes on";
   return "This run failed after " + reached + "; its particles then are in " + run.diverged().filename().string();
@@ -153,7 +156,7 @@ Exit postprocess(const PostprocessOptions& options) {
 
   const ExtractionOptions extraction = extraction_options(options, input.resolved);
   input.extraction = extract_run(run, input.resolved, extraction);
-  input.shortfall = shortfall_of(run, input.extraction.last_time, input.resolved.output.end);
+  input.shortfall = shortfall_of(run, input.resolved, input.extraction.last_time);
   if (!input.shortfall.empty()) input.warnings.push_back(input.shortfall);
   input.warnings.insert(input.warnings.end(), input.extraction.warnings.begin(), input.extraction.warnings.end());
   for (std::string& warning : warnings_of_programs(run)) input.warnings.push_back(std::move(warning));

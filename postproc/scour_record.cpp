@@ -57,7 +57,8 @@ double scour_at(const ScourRecord& record, double time) {
 
 double bed_time_at(const ScourRecord& record, double time) {
   double bed_time = 0;
-  for (std::size_t n = 0; n < record.time.size() && record.water[n] <= time + 1e-9; ++n) bed_time = record.time[n];
+  const double latest = time * (1 + 1e-7) + 1e-9;  // history.csv has nine digits
+  for (std::size_t n = 0; n < record.time.size() && record.water[n] <= latest; ++n) bed_time = record.time[n];
   return bed_time;
 }
 

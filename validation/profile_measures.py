@@ -13,7 +13,7 @@ CURVE = Key("curve", "text", "bed, free_surface or moving_bed", required=True, w
 
 @measure("profile", "A profile at one time against a measured one that the case compares with (reference/t0.500.csv), as in "
          "report/errors.csv: root mean square, bias, largest error, Brier skill score.",
-         CURVE, Key("at", "number", "time [s], one of compare.times", required=True),
+         CURVE, Key("at", "number", "time [s], one of compare.times or bed_times", required=True),
          Key("source", "text", "label of the measurement in report/errors.csv; default: the only one there"), reference=False)
 def profile(finished, entry, _):
     given = entry.given
@@ -33,7 +33,7 @@ def profile(finished, entry, _):
 
 @measure("distance from the finest", "Root mean square [m] between a profile of the run and the same of the finest run of its variant, "
          "over some times: no comparison with nature, only what the spacing decides.",
-         CURVE, Key("at", "numbers", "times [s], of compare.times", required=True), reference=False)
+         CURVE, Key("at", "numbers", "times [s], of compare.times or bed_times", required=True), reference=False)
 def distance_from_the_finest(finished, entry, finest):
     if finest is None or finest is finished:
         return []

@@ -11,7 +11,8 @@ namespace thalweg {
 struct Compare {
   static constexpr TableHeading heading{"compare", "What the result is compared with."};
 
-  std::vector<double> times;  // [s]
+  std::vector<double> times;      // [s]
+  std::vector<double> bed_times;  // [s]
   std::vector<std::string> references;
   double from = 0;  // [m]
   double to = 0;    // [m]
@@ -22,6 +23,9 @@ struct Compare {
   void describe(V& v) {
     v.quantities("times", times, "s", 0, 1e9,
                  "Times at which profiles are extracted and compared; snapshots are written there too.");
+    v.quantities("bed_times", bed_times, "s", 0, 1e12,
+                 "In place of times, for a bed that is a surface: times of the bed. Snapshots are written when it gets "
+                 "there, and profiles are compared with t54000.000.csv and the like.");
     v.texts("references", references, "Folders with measured profiles (t0.250.csv …), relative to the case.");
     v.quantity("from", from, "m", -1e9, 1e9, "Start of the range compared; with `to` equal: the whole domain.");
     v.quantity("to", to, "m", -1e9, 1e9, "End of the range compared.");

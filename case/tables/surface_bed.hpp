@@ -16,6 +16,7 @@ struct SurfaceBedSettings {
   double step = 0.25;    // [spacings]
   double window = 0;     // [s]
   double spin_up = 0;    // [s]
+  double end = 0;        // [s] of the bed's time
   BedFeed feed = BedFeed::equilibrium;
   double grain_stress = 1;  // [-]
 
@@ -31,6 +32,9 @@ struct SurfaceBedSettings {
                "Time over which the water's shear stress is averaged before the bed moves; twice as long where its two "
                "halves differ by more than 10 %. 0: the time of 50 spacings at numerics.maximum_speed.");
     v.quantity("spin_up", spin_up, "s", 0, 1e6, "Time in which the flow forms and the bed stays as it is.");
+    v.quantity(
+        "end", end, "s", 0, 1e12,
+        "Time of the bed at which the run ends, if output.end has not come before. 0: output.end alone ends it.");
     v.choice("feed", feed, "Bed load that comes in with the water of an inlet.");
     v.number("grain_stress", grain_stress, 0.01, 1,
              "Share of the water's shear stress on the bed that moves grains. Ripples smaller than a spacing take the "

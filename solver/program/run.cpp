@@ -46,7 +46,9 @@ class Run {
         simulation_(start(from, options)),
         output_({options.folder}, lock, info(from.particles)),
         progress_(case_.output.end, clock_.time),
-        counts_(from.counts) {
+        counts_(from.counts),
+        bed_schedule_(case_) {
+    bed_schedule_.begin(simulation_->bed_time());
     const SimulationFacts facts = simulation_->facts();
     spdlog::info("{}: {} particles, {} of them fluid; {}", case_.info.name, facts.particles, facts.fluid_particles,
                  facts.device);
@@ -81,13 +83,11 @@ class Run {
     const std::vector<double> times = snapshot_times(case_);
     std::size_t next = 0;
     while (next < times.size() && times[next] <= clock_.time + time_resolution()) ++next;
-    while (next < times.size()) {
-      step(times[next] - clock_.time);
-      if (times[next] - clock_.time <= time_resolution()) {
-        clock_.time = times[next];  // landed on: without the rounding of the sum of steps
-        write_snapshot();
-        ++next;
-      }
+    while (next < times.size() && !bed_schedule_.is_at_end(simulation_->bed_time())) {
+      const bool bed_is_due = step(times[next] - clock_.time);
+      const bool is_due = times[next] - clock_.time <= time_resolution();
+      if (is_due) clock_.time = times[next++];  // landed on: without the rounding of the sum of steps
+      if (is_due || bed_is_due) write_snapshot();
       // After the snapshot of the same step, which a continued run takes as written.
       if (take_write_request() || since_checkpoint_.wall() > case_.output.checkpoint_interval) write_checkpoint();
       if (stop_signal() != 0) return stop_early();
@@ -128,15 +128,17 @@ class Run {
     return i;
   }
 
-  void step(double longest) {
+  /// Returns true if a snapshot is due at the bed's time. history.csv then tells that time.
+  bool step(double longest) {
     simulation_->set_time(clock_.time);
     const StepReport report = simulation_->advance(longest);
     if (!report.excluded.empty()) exclude(report.excluded);
     if (report.diverged) fail(report);
     count(report);
     warn_of_fallbacks(report);
+    const bool bed_is_due = bed_schedule_.passes(simulation_->bed_time());
     simulation_->timing().time("output", [&] {
-      if (clock_.step == 1 || clock_.time >= next_history_) {
+      if (clock_.step == 1 || clock_.time >= next_history_ || bed_is_due) {
         write_history(report);
         next_history_ = (std::floor(clock_.time / history_interval_) + 1) * history_interval_;
       }
@@ -146,6 +148,7 @@ class Run {
       }
       progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
     });
+    return bed_is_due;
   }
 
   void write_history(const StepReport& report) {
@@ -294,6 +297,7 @@ class Run {
   Progress progress_;
   RunCounts counts_;
   MassBalance balance_;
+  BedSchedule bed_schedule_;
   std::int64_t steps_now_ = 0;  // since the last restart
   std::int64_t initial_fluid_ = 0;
   bool told_of_cap_ = false;

@@ -24,4 +24,15 @@ std::vector<double> snapshot_times(const Case& of) {
   return times;
 }
 
+BedSchedule::BedSchedule(const Case& of) : times_(of.compare.bed_times), end_(of.surface_bed.end) {
+  if (end_ > 0) times_.push_back(end_);
+  std::sort(times_.begin(), times_.end());
+}
+
+bool BedSchedule::passes(double bed_time) {
+  const std::size_t before = next_;
+  while (next_ < times_.size() && times_[next_] <= bed_time) ++next_;
+  return next_ > before;
+}
+
 }  // namespace thalweg

@@ -161,6 +161,7 @@ class Leader final : public Simulation {
   MassLedger ledger() const override { return share_->ledger(); }
   std::vector<OpeningFlux> openings() const override { return share_->openings(); }
   std::optional<BedReport> bed() const override { return share_->bed(); }
+  double bed_time() const override { return share_->bed_time(); }
   SimulationFacts facts() override {
     ask(Request::facts);
     return together(ranks_, [&] { return gather_facts(ranks_, share_->facts()); });

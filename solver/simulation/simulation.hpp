@@ -55,6 +55,8 @@ class Simulation {
   virtual std::vector<OpeningFlux> openings() const = 0;
   /// The bed, if it is a surface.
   virtual std::optional<BedReport> bed() const = 0;
+  /// The bed's time, if it is a surface, else 0 [s].
+  virtual double bed_time() const = 0;
   virtual SimulationFacts facts() = 0;
   /// Processor time of the other ranks since they began [s].
   virtual double cpu_seconds_elsewhere() { return 0; }

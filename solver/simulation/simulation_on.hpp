@@ -103,6 +103,7 @@ class SimulationOn final : public Simulation {
   std::optional<BedReport> bed() const override {
     return work_.surface_bed ? std::make_optional(work_.surface_bed->report()) : std::nullopt;
   }
+  double bed_time() const override { return work_.surface_bed ? work_.surface_bed->bed_time() : 0; }
   const Timing& timing() const override { return timing_; }
   Timing& timing() override { return timing_; }
 

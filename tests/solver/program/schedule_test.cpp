@@ -24,5 +24,30 @@ TEST(Schedule, WithoutAnIntervalIsStartAndEnd) {
   EXPECT_THAT(snapshot_times(c), ElementsAre(0, 2));
 }
 
+TEST(BedSchedule, PassesEachTimeOnceAndKnowsItsEnd) {
+  Case of;
+  of.compare.bed_times = {30, 10};
+  of.surface_bed.end = 40;
+  BedSchedule schedule(of);
+  schedule.begin(0);
+  EXPECT_FALSE(schedule.passes(9));
+  EXPECT_TRUE(schedule.passes(10));
+  EXPECT_FALSE(schedule.passes(29));
+  EXPECT_TRUE(schedule.passes(35));
+  EXPECT_FALSE(schedule.is_at_end(35));
+  EXPECT_TRUE(schedule.passes(45));
+  EXPECT_TRUE(schedule.is_at_end(45));
+}
+
+TEST(BedSchedule, GoesOnBehindWhatWasDueBefore) {
+  Case of;
+  of.compare.bed_times = {10, 30};
+  BedSchedule schedule(of);
+  schedule.begin(20);
+  EXPECT_FALSE(schedule.passes(21));
+  EXPECT_TRUE(schedule.passes(30));
+  EXPECT_FALSE(schedule.is_at_end(1e9));
+}
+
 }  // namespace
 }  // namespace thalweg

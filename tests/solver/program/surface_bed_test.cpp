@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -120,6 +121,56 @@ TEST(SurfaceBedRun, GrainsThatSettleRaiseTheBed) {
   for (std::size_t n = 0; n < grains.size(); ++n) EXPECT_NEAR(grains[n] + lifted[n], before, 1e-9 * before);
   EXPECT_NEAR(last(run, "bed_lowest", "m"), settled / 0.1 / 0.6, 0.02 * settled / 0.1 / 0.6);
   EXPECT_NEAR(last(run, "bed_highest", "m"), settled / 0.1 / 0.6, 0.02 * settled / 0.1 / 0.6);
+}
+
+const std::vector<std::string> fine_sand_in_suspension = {"suspended_load.carried_by=\"water\"",
+                                                          "materials.sand.grain_diameter=\"0.2 mm\"",
+                                                          "inlet.west.grains=\"equilibrium\""};
+
+// The inlet brings what the bed in front of it holds: the bed gives no more than a tenth of that, and takes no more.
+TEST(SurfaceBedRun, AnInletBringsTheGrainsThatTheBedHolds) {
+  test::CaseRun run("surface_inlet");
+  std::vector<std::string> settings = fine_sand_in_suspension;
+  settings.insert(settings.end(), {"surface_bed.factor=1", "output.end=\"10 s\""});
+  run.fill_from(scene("between"), settings);
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto brought = history.numbers("west_grains", "kg");
+  const auto lifted = history.numbers("bed_lifted", "m^3");
+  const std::size_t half = brought.size() / 2;
+  EXPECT_GT(brought.back(), brought[half]);
+  EXPECT_LT(std::abs(lifted.back() - lifted[half]) * 2650, 0.1 * (brought.back() - brought[half]));
+}
+
+TEST(SurfaceBedRun, WithGrainsOfAnInletContinuedIsTheSameBitForBit) {
+  test::TwoEnds ends;
+  std::vector<std::string> settings = fine_sand_in_suspension;
+  settings.insert(settings.end(),
+                  {"surface_bed.spin_up=\"0.1 s\"", "output.end=\"1 s\"", "output.interval=\"0.25 s\""});
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(scene("between"), settings, "0.5 s", ends));
+  EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
+  EXPECT_EQ(ends.straight.facts.at("SurfaceBed"), ends.joined.facts.at("SurfaceBed"));
+  EXPECT_EQ(ends.straight.facts.at("Openings"), ends.joined.facts.at("Openings"));
+}
+
+TEST(SurfaceBedRun, EndsAtTheBedsTimeAndShowsTheTimesAskedFor) {
+  test::CaseRun run("surface_end");
+  run.fill_from(scene("channel"), {"surface_bed.end=\"12 s\"", "compare.bed_times=[\"5 s\", \"9 s\"]"});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto bed = history.numbers("bed_time", "s");
+  const auto water = history.numbers("time", "s");
+  EXPECT_GE(bed.back(), 12);
+  EXPECT_LT(bed.back(), 12 + 2 * 10 * 0.1);  // a window of 0.1 s and its motion, ten times as fast
+  EXPECT_LT(water.back(), 3);                // of the four that output.end allows
+  std::vector<double> shown;
+  for (const SeriesEntry& entry : read_series(run.folder().snapshot_series())) shown.push_back(entry.time);
+  for (const double wanted : {5.0, 9.0, 12.0}) {
+    const auto row = std::lower_bound(bed.begin(), bed.end(), wanted) - bed.begin();
+    const double time = water[static_cast<std::size_t>(row)];
+    EXPECT_TRUE(std::any_of(shown.begin(), shown.end(), [&](double t) { return std::abs(t - time) < 1e-6; })) << wanted;
+  }
+  EXPECT_NEAR(shown.back(), water.back(), 1e-6);  // history.csv has nine digits
 }
 
 // In the end the current holds what Rouse's profile over the bed's reference concentration holds; also where the number of
