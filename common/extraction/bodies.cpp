@@ -9,13 +9,13 @@ namespace {
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
-// Height of a phase's body over a column's floor; the floor itself where the body is less than a layer. Below a wall
-// that hangs in the fluid, a pipe over a bed, the body counts if there is fluid between.
+// Height of a phase's body over a column's floor; the floor itself where the body is less than a layer. Where that floor
+// hangs in the fluid, a pipe over a bed, it is the height of the body below.
 double top_or_floor(const ConnectedBody& body, std::size_t column, double floor, double least_thickness) {
   const double top = body.top(column);
-  const bool lies_under_wall = !std::isnan(top) && !std::isnan(floor) && top < floor && !body.reaches_lid(column);
-  if (lies_under_wall && top - body.base(column) >= least_thickness) return top;
-  return std::isnan(top) || (!std::isnan(floor) && top - floor < least_thickness) ? floor : top;
+  if (!std::isnan(top) && (std::isnan(floor) || top - floor >= least_thickness)) return top;
+  const double below = body.top_below_walls(column);
+  return std::isnan(below) ? floor : below;
 }
 
 }  // namespace

@@ -127,9 +127,20 @@ double ConnectedBody::top(std::size_t column) const {
   return crossing(grid.z(k), fraction(grid.node(column, k)), grid.z(k + 1), fraction(above));
 }
 
-bool ConnectedBody::reaches_lid(std::size_t column) const {
-  const std::size_t k = highest_row(column);
-  return k != none && k + 1 < sums_.grid.nz && sums_.in_wall(sums_.grid.node(column, k + 1));
+double ConnectedBody::top_below_walls(std::size_t column) const {
+  const SamplingGrid& grid = sums_.grid;
+  const auto in_wall = [&](std::size_t k) { return sums_.in_wall(grid.node(column, k)); };
+  std::size_t k = 0;
+  while (k + 1 < grid.nz && (in_wall(k) || !belongs(grid.node(column, k)))) ++k;
+  while (k + 1 < grid.nz && belongs(grid.node(column, k + 1))) ++k;
+  const bool hangs_above = [&] {
+    for (std::size_t above = k + 2; above < grid.nz; ++above) {
+      if (in_wall(above)) return true;
+    }
+    return false;
+  }();
+  if (!belongs(grid.node(column, k)) || !hangs_above || in_wall(k + 1)) return absent;
+  return crossing(grid.z(k), fraction(grid.node(column, k)), grid.z(k + 1), fraction(grid.node(column, k + 1)));
 }
 
 double ConnectedBody::base(std::size_t column) const {

@@ -17,11 +17,11 @@ class ConnectedBody {
 
   /// Highest crossing of 1/2 of the body in a column [m]; NaN where it has no node there.
   [[nodiscard]] double top(std::size_t column) const;
+  /// The lowest crossing of the body below a wall that hangs in a column, a pipe or a slab; NaN without such a wall, and
+  /// where it lies on the body.
+  [[nodiscard]] double top_below_walls(std::size_t column) const;
   /// The wall under the body's top in a column [m]; without a wall the body's own lower edge; NaN without body.
   [[nodiscard]] double base(std::size_t column) const;
-
-  /// True if a wall lies on the body's top in a column.
-  [[nodiscard]] bool reaches_lid(std::size_t column) const;
 
   [[nodiscard]] bool belongs(std::size_t node) const { return belongs_[node] != 0; }
   /// A filled node of some other body: a drop, a floating grain.

@@ -17,8 +17,9 @@ std::vector<int> columns_beside(const Opening& opening, const Case& of, const Be
   const OpeningAxes axes = opening.axes();
   const bool in_space = of.info.dimension == 3;
   for (int c = 0; c < grid.columns(); ++c) {
+    const int row = c / grid.nx;
     const double x = first[0] + grid.dx * (c % grid.nx);
-    const double y = in_space ? first[1] + grid.dy * static_cast<double>(c / grid.nx) : 0;
+    const double y = in_space ? first[1] + grid.dy * row : 0;
     const Vec3 way = Vec3(x, y, 0) - opening.at;
     const double along = way.dot(axes.flow);
     const bool in_width = !in_space || std::abs(way.dot(axes.across)) < 0.5 * opening.extent_across(3);
