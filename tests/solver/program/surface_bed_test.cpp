@@ -131,7 +131,7 @@ const std::vector<std::string> fine_sand_in_suspension = {"suspended_load.carrie
 TEST(SurfaceBedRun, AnInletBringsTheGrainsThatTheBedHolds) {
   test::CaseRun run("surface_inlet");
   std::vector<std::string> settings = fine_sand_in_suspension;
-  settings.insert(settings.end(), {"surface_bed.factor=1", "output.end=\"10 s\""});
+  settings.insert(settings.end(), {"surface_bed.factor=1", "output.end=\"6 s\""});
   run.fill_from(scene("between"), settings);
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const CsvTable history = CsvTable::read(run.folder().history());
