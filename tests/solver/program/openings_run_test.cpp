@@ -6,6 +6,7 @@
 
 #include "common/error.hpp"
 #include "physics/water/log_profile.hpp"
+#include "solver/models/openings/make_zone.hpp"
 #include "tests/solver/case_run.hpp"
 #include "tests/solver/program/broken_run.hpp"
 #include "tests/solver/program/trend.hpp"
@@ -109,6 +110,29 @@ TEST(OpenChannel, KeepsLevelAndDischarge) {
   EXPECT_LT(std::sqrt(squares), 0.03 * 0.4);
   EXPECT_LT(below / snapshots,
             0.1 * 981);  // of single particles at rest in their rows; a suction would be of the order of p
+}
+
+// Cells of the lattice end at -2 mm, 8 mm, …: the lower edge goes to the nearest. A round opening stays, and so does the
+// side along which the domain repeats itself.
+TEST(Openings, StandOnTheCellsOfTheLattice) {
+  Case of;
+  of.info.dimension = 3;
+  of.numerics.spacing = 0.01;
+  Inlet inlet;
+  inlet.at = Vec3(0, 0.1, 0.1);
+  inlet.direction = Vec3::UnitX();
+  inlet.height = inlet.width = 0.2;
+  const Vec3 node(0, 0.004, 0.003);
+  const Zone zone = make_zone(inlet, of, node);
+  EXPECT_NEAR(zone.at[2] - zone.half_up, -0.002, 1e-12);
+  EXPECT_NEAR(zone.at[1] - zone.half_across, -0.001, 1e-12);
+  EXPECT_EQ(zone.at[0], 0);
+  of.domain.periodic = {"y"};
+  EXPECT_EQ(make_zone(inlet, of, node).at[1], 0.1);
+  EXPECT_EQ(make_zone(inlet, of, std::nullopt).at[2], 0.1);
+  inlet.height = inlet.width = 0;
+  inlet.diameter = 0.2;
+  EXPECT_EQ(make_zone(inlet, of, node).at[2], 0.1);
 }
 
 // A floor whose lattice lies a third of a spacing higher than its shape: the water comes in on it, not within it.
