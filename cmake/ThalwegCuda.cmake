@@ -61,7 +61,7 @@ function(thalweg_cuda_settings target)
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:--extended-lambda --expt-relaxed-constexpr
     --ftz=true --prec-div=false --prec-sqrt=false
-    -Werror=all-warnings -Xptxas=-v -Xfatbin=-compress-all -Xcompiler=-Wall,-Wextra,-fvisibility=hidden>)
+    $<$<BOOL:${THALWEG_WARNINGS_ARE_ERRORS}>:-Werror=all-warnings> -Xptxas=-v -Xfatbin=-compress-all -Xcompiler=-Wall,-Wextra,-fvisibility=hidden>)
   target_compile_definitions(${target} PRIVATE EIGEN_NO_CUDA)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()
