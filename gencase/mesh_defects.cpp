@@ -13,8 +13,10 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
+#include <boost/variant/get.hpp>
 #include <cmath>
 #include <map>
+#include <variant>
 
 #include "common/units.hpp"
 
@@ -25,6 +27,16 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// The case T of a variant, or nullptr: CGAL's are of the standard library from version 6 on, before of Boost.
+template <class T, class... Cases>
+const T* case_of(const std::variant<Cases...>& variant) {
+  return std::get_if<T>(&variant);
+}
+template <class T, class Variant>
+const T* case_of(const Variant& variant) {
+  return boost::get<T>(&variant);
+}
 
 enum Kind { open_edge = 1, crowded_edge = 2, opposed_edge = 3, degenerate_face = 4, intersecting_face = 5 };
 
@@ -113,7 +125,7 @@ bool overlap(const Triangles& surface, std::size_t f, std::size_t g) {
   // With rounded points the intersection can end in none of its cases, and CGAL then reads past the end of a list.
   const CGAL::Cartesian_converter<Kernel, Exact> exact;
   const auto shared = CGAL::intersection(exact(a), exact(b));
-  return shared && boost::get<Exact::Point_3>(&*shared) == nullptr && boost::get<Exact::Segment_3>(&*shared) == nullptr;
+  return shared && case_of<Exact::Point_3>(*shared) == nullptr && case_of<Exact::Segment_3>(*shared) == nullptr;
 }
 
 void find_intersections(const Triangles& surface, MeshDefects& defects) {
@@ -221,7 +233,7 @@ Thickness thickness_of(const Triangles& surface, double limit) {
     const auto hit =
         tree.first_intersection(inward, [&](const Facets::const_iterator& other) { return &*other == &facet; });
     if (!hit) continue;
-    const auto* point = boost::get<Kernel::Point_3>(&hit->first);
+    const auto* point = case_of<Kernel::Point_3>(hit->first);
     // A face that does not look the other way is the neighbour beyond an edge, not the opposite side.
     if (point == nullptr || normal_of(*hit->second).dot(normal) > -0.7) continue;
     const double thickness = std::sqrt(CGAL::squared_distance(*point, middle));

@@ -124,7 +124,7 @@ std::vector<Edge> slice(const Triangles& surface, bool on_plane_is_positive) {
       const bool up = positive(b.y());
       if (!up) std::swap(a, b);  // both triangles beside the edge compute the same point
       const Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);
-      (up ? enters : leaves) = {p.x(), p.z()};
+      (up ? enters : leaves) = Eigen::Vector2d(p.x(), p.z());
       ++crossings;
     }
     if (crossings == 2 && enters != leaves) edges.push_back({enters, leaves});
