@@ -15,7 +15,7 @@ double top_or_floor(const ConnectedBody& body, std::size_t column, double floor,
   const double top = body.top(column);
   if (!std::isnan(top) && (std::isnan(floor) || top - floor >= least_thickness)) return top;
   const double below = body.top_below_walls(column);
-  return std::isnan(below) ? floor : below;
+  return below < floor - least_thickness ? below : floor;
 }
 
 }  // namespace
