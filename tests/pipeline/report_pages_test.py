@@ -43,7 +43,7 @@ document.title = "wide: " + wide.slice(0, 5).join(" ");
 
 
 def run_folder(name):
-    """The finished run of this name; made once for all tests."""
+    """The finished run of this name; made once for all tests of this call."""
     folder = scratch / name
     if not (folder / "report" / "index.html").is_file():
         shutil.rmtree(folder, ignore_errors=True)
@@ -60,8 +60,8 @@ def changed_copy(name, of, end):
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(run_folder(of), folder)
     resolved = folder / "case.resolved.toml"
-    text, count = re.subn(r'(?m)^end = "[^"]*"', f'end = "{end} s"', resolved.read_text())
-    assert count == 1, "the case has one end"
+    text, count = re.subn(r'(?s)(\n\[output\]\nend = )"[^"]*"', rf'\g<1>"{end} s"', resolved.read_text())
+    assert count == 1, "the table [output] begins with its end"
     resolved.write_text(text)
     return folder
 
@@ -76,6 +76,11 @@ def headings(page):
 
 
 class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """Runs of an earlier build would hide what has changed since."""
+        shutil.rmtree(scratch, ignore_errors=True)
+
     def check(self, folder, shown):
         """Renders and prints the page; `shown` are headings in the order in which they have to stand."""
         file = folder / "report" / "index.html"
