@@ -8,6 +8,7 @@
 
 #include "case/bed_on_ground.hpp"
 #include "case/models/openings.hpp"
+#include "case/models/surface_bed.hpp"
 #include "case/reader/case_file.hpp"
 #include "case/scales.hpp"
 #include "common/error.hpp"
@@ -277,7 +278,9 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   const HydrostaticStart start(filling, shapes, gravity);
   Summary& summary = result.summary;
   summary.lattice_nodes = lattice.nodes();
-  summary.fluid_height = start.fluid_height();
+  std::vector<ShapeRole> flowing = {ShapeRole::water};
+  if (!models::SurfaceBedOfCase::is_on(scene)) flowing.push_back(ShapeRole::sediment);  // such a bed holds itself
+  summary.fluid_height = start.fluid_height(flowing);
   resolve_speeds(result, notes);
   result.particles = make_particles(result.resolved, shapes, filling, start, summary);
   result.particles.info.lattice_node = named_node(result.particles, lattice);

@@ -12,7 +12,7 @@ double hydrostatic_density(double density_at_rest, double pressure, double sound
 }
 
 HydrostaticStart::HydrostaticStart(const Filling& filling, const std::vector<PlacedShape>& shapes, double gravity)
-    : filling_(filling), gravity_(gravity), fluid_density_(std::size_t{solid_core} + 1, 0.0) {
+    : filling_(filling), shapes_(shapes), gravity_(gravity), fluid_density_(std::size_t{solid_core} + 1, 0.0) {
   for (std::size_t s = 0; s < shapes.size(); ++s)
     if (shapes[s].is_fluid()) fluid_density_[s + 1] = shapes[s].weighing_density;
   find_runs();
@@ -111,15 +111,20 @@ void HydrostaticStart::column(std::int64_t column, std::span<double> pressures) 
   }
 }
 
-double HydrostaticStart::fluid_height() const {
-  if (runs_.empty()) return 0;
-  std::int64_t top = runs_.front().top;
-  std::int64_t bottom = runs_.front().bottom;
+double HydrostaticStart::fluid_height(const std::vector<ShapeRole>& roles) const {
+  std::vector<bool> counts(fluid_density_.size());
+  for (std::size_t s = 0; s < shapes_.size(); ++s)
+    counts[s + 1] = std::find(roles.begin(), roles.end(), shapes_[s].shape->role) != roles.end();
+  std::int64_t top = filling_.lattice.column_length();
+  std::int64_t bottom = -1;
   for (const Run& run : runs_) {
-    top = std::min(top, run.top);
-    bottom = std::max(bottom, run.bottom);
+    for (std::int64_t node = run.top; node <= run.bottom; ++node) {
+      if (!counts[label(run.column, node)]) continue;
+      top = std::min(top, node);
+      bottom = std::max(bottom, node);
+    }
   }
-  return static_cast<double>(bottom - top + 1) * filling_.lattice.spacing;
+  return bottom < top ? 0 : static_cast<double>(bottom - top + 1) * filling_.lattice.spacing;
 }
 
 }  // namespace thalweg::gencase

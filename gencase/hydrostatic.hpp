@@ -23,8 +23,8 @@ class HydrostaticStart {
   /// Writes the pressures [Pa] of one column, 0 at nodes without fluid. `pressures` has one entry per node.
   void column(std::int64_t column, std::span<double> pressures) const;
 
-  /// Height of the fluid along the columns from its lowest to its highest point [m].
-  [[nodiscard]] double fluid_height() const;
+  /// Height of the fluid of these roles along the columns, from its lowest to its highest point [m].
+  [[nodiscard]] double fluid_height(const std::vector<ShapeRole>& roles) const;
 
  private:
   /// Consecutive fluid nodes of one column; `top` and `bottom` count downward.
@@ -47,6 +47,7 @@ class HydrostaticStart {
   void spread(std::deque<std::size_t> known);  // from known runs to connected ones
 
   const Filling& filling_;
+  const std::vector<PlacedShape>& shapes_;
   double gravity_;
   std::vector<double> fluid_density_;   // at rest, per label; 0: no fluid
   std::vector<Run> runs_;               // column by column, from the top down

@@ -43,6 +43,12 @@ TEST(Hydrostatic, TwoLayersCarryTheWeightAboveThem) {
   EXPECT_NEAR(generated.summary.fluid_height, 0.16, 1e-12);
 }
 
+TEST(Hydrostatic, ABedThatIsASurfaceIsNoFluid) {
+  Case scene = two_layers();
+  scene.model.sediment = SedimentModel::surface;
+  EXPECT_NEAR(generate(scene).summary.fluid_height, 0.10, 1e-12);
+}
+
 TEST(Hydrostatic, PressureDensityAndMassBelongTogether) {
   const Generated generated = generate(two_layers());
   const ParticleSet& set = generated.particles;
