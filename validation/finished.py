@@ -33,6 +33,9 @@ class Finished:
 
     @functools.cached_property
     def end(self):
+        """Of the water's time [s]; the bed's own end may come before output.end."""
+        if quantity(self.case.get("surface_bed", {}).get("end", "0 s")) > 0:
+            return self.snapshots[-1][0]
         return quantity(self.case["output"]["end"])
 
     def fail(self, text, key=None):

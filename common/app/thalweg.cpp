@@ -1,8 +1,12 @@
 // The umbrella: runs the stages by name, runs them all in order, explains case files and says what is in a run.
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "case/physics_checks.hpp"
 #include "case/reader/case_file.hpp"
@@ -48,15 +52,17 @@ int run(int argc, char** argv) {
 
 int explain_keys(int argc, char** argv) {
   CLI::App app("Prints unit, default, range and meaning of the keys of a case file.", "thalweg explain");
-  std::string key;
+  std::vector<std::string> words;
   bool markdown = false;
   bool schema = false;
   bool physics = false;
-  app.add_option("KEY", key, "A key, a table or a word of the field: numerics.spacing, spacing, inflow; default: all");
+  app.add_option("KEY", words,
+                 "A key, a table or words of the field: numerics.spacing, scour depth, inflow; default: all");
   auto* as_markdown = app.add_flag("--markdown", markdown, "All keys as the page docs/case-file.md");
   app.add_flag("--schema", schema, "All keys as a JSON schema for editors")->excludes(as_markdown);
   app.add_flag("--physics", physics, "The scenes that are refused as the page docs/refused-physics.md");
   if (const auto answered = parse_command_line(app, argc, argv)) return *answered;
+  const std::string key = fmt::format("{}", fmt::join(words, " "));
   if (answers_in_json()) {
     set_result(explain_json(key));
   } else if (markdown) {

@@ -239,6 +239,8 @@ TEST_F(Umbrella, FindsTheProgramsByName) {
 TEST_F(Umbrella, ExplainsKeys) {
   EXPECT_EQ(thalweg("explain cfl"), 0);
   EXPECT_THAT(output(), HasSubstr("numerics.cfl\n  number, 0.01 to 0.8; default 0.5\n"));
+  EXPECT_EQ(thalweg("explain scour depth"), 0);
+  EXPECT_THAT(output(), HasSubstr("model.sediment\n"));
   EXPECT_EQ(thalweg("explain --markdown"), 0);
   EXPECT_EQ(output(), text_of(source / "docs/case-file.md"));
   EXPECT_EQ(thalweg("explain nonsense_key"), 2);
