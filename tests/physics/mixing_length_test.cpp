@@ -28,8 +28,21 @@ TEST(EddyViscosity, CarriesTheStressOfUniformFlowWithALogarithmicProfile) {
   const double friction = 0.044;
   for (const double z : {0.001, 0.02, 0.05, 0.099}) {
     const double rate = friction / (0.41 * z);
-    EXPECT_NEAR(eddy_viscosity(mixing_length(z, H), rate) * rate, friction * friction * (1 - z / H), 1e-12) << z;
+    const double speed = log_profile(friction, z, nu, 1e-3);
+    EXPECT_NEAR(eddy_viscosity(mixing_length(z, H), rate, speed) * rate, friction * friction * (1 - z / H), 1e-12) << z;
   }
+}
+
+TEST(EddyViscosity, IsThatOfFreeShearLayersFarFromWalls) {
+  // In units of U and of the thickness, at half of the largest U. Measured: Goertler's mixing layer, the plane
+  // jet (growth of the half width 0.10), the plane wall jet (0.073).
+  const double far = 10;
+  EXPECT_NEAR(eddy_viscosity(far, 1.0, 0.5), 0.0128, 0.25 * 0.0128);
+  EXPECT_NEAR(eddy_viscosity(far, 0.62, 0.5), 0.032, 0.25 * 0.032);
+  EXPECT_NEAR(eddy_viscosity(far, 0.69, 0.5), 0.022, 0.25 * 0.022);
+  EXPECT_EQ(eddy_viscosity(far, 0.0, 0.5), 0);
+  EXPECT_EQ(eddy_viscosity(far, 1.0, 0.0), 0);
+  EXPECT_EQ(eddy_viscosity(0.0, 0.0, 0.0), 0);
 }
 
 TEST(LogProfile, VanishesAtItsOriginAndIsThatOfHand) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "physics/water/mixing_length.hpp"
 #include "solver/models/mixing_length/arrays.hpp"
 #include "solver/passes/momentum.hpp"
@@ -19,7 +21,7 @@ inline constexpr int eddy_interval = 8;
 template <int Dim>
 struct EddyViscositySweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
-  using reads = Reads<field::place, field::matter, field::eddies>;
+  using reads = Reads<field::place, field::flow, field::matter, field::eddies>;
   using writes = Writes<field::eddies>;
   static constexpr unsigned kernel = kernel_gradient;
   template <class L>
@@ -41,8 +43,10 @@ struct EddyViscositySweep {
     if (!is_water(records[i]) || records[i].volume == 0) return;
     float gradient[Dim][Dim];
     corrected_gradient(sum.velocity, gradient);
+    const float* const u = records[i].velocity;
     around.viscosity =
-        eddy_viscosity(mixing_length(around.wall_distance, around.depth), strain_rate<Dim>(gradient).magnitude);
+        eddy_viscosity(mixing_length(around.wall_distance, around.depth), strain_rate<Dim>(gradient).magnitude,
+                       std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
   }
 };
 

@@ -140,7 +140,7 @@ TYPED_TEST(MixingLengthOn, TheViscosityOfALinearShearIsExact) {
   const Scene<2> scene = eddy_scene<2>(0.005, 0.1);
   ParticleSet particles = test::fill_lattice(scene, test::all_water, 0.2);
   for (std::size_t i = 0; i < particles.size(); ++i)
-    particles.velocity[i].x() = 10 * static_cast<float>(particles.position[i].z());
+    particles.velocity[i].x() = 1 + 10 * static_cast<float>(particles.position[i].z());
   auto l = test::load_with_elements<TypeParam>(scene, particles);
   l.on.upload(HostBuffer<Eddies>(l.p.count, Eddies{0.025F, 0.1F, 0}), l.p.eddies);
   test::TestStep<2, TypeParam> step(l, 1e-4);

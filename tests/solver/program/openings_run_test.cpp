@@ -10,6 +10,7 @@
 #include "tests/solver/case_run.hpp"
 #include "tests/solver/program/broken_run.hpp"
 #include "tests/solver/program/trend.hpp"
+#include "tests/solver/program/wall_jet.hpp"
 
 // Water that enters and leaves, in whole runs: a uniform current, a free fall, jets, a pump, and runs that must stop.
 namespace thalweg {
@@ -284,6 +285,8 @@ TEST(Jets, FallAsProjectilesDo) {
   EXPECT_NEAR(column(run, "level_water", "kg", 0.1).rate(), 60, 0.5);
   EXPECT_NEAR(column(run, "upwards_water", "kg", 0.1).rate(), 80, 0.7);
 }
+
+TEST(WallJet, SlowsDownAsMeasured) { test::expect_a_jet_that_slows_down_as_measured("5 mm"); }
 
 TEST(Nozzle, BringsItsAreaTimesItsVelocity) {
   // pi/4 (50 mm)^2 times 1 m/s: 1.9635 kg/s until 0.3 s.

@@ -4,6 +4,7 @@
 
 #include "tests/solver/case_run.hpp"
 #include "tests/solver/program/trend.hpp"
+#include "tests/solver/program/wall_jet.hpp"
 
 // A minute of uniform flow between an inlet and a tail water: level, discharge, mass and pressure stay as they are.
 namespace thalweg {
@@ -68,6 +69,8 @@ TEST(OpenMinute, InThePlaneAtFiveMillimetres) {
 }
 
 TEST(OpenMinute, InSpace) { expect_a_steady_minute("space.toml", {}, 0.1); }
+
+TEST(WallJet, SlowsDownAsMeasuredWithFourRowsToo) { test::expect_a_jet_that_slows_down_as_measured("3.75 mm"); }
 
 }  // namespace
 }  // namespace thalweg
