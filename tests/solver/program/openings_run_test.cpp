@@ -9,6 +9,7 @@
 #include "solver/models/openings/make_zone.hpp"
 #include "tests/solver/case_run.hpp"
 #include "tests/solver/program/broken_run.hpp"
+#include "tests/solver/program/row_speeds.hpp"
 #include "tests/solver/program/trend.hpp"
 #include "tests/solver/program/wall_jet.hpp"
 
@@ -55,22 +56,7 @@ std::pair<double, double> balance(const test::CaseRun& run) {
 
 /// Mean speed [m/s] of the rows of water over a floor [m], from a time [s] on, away from the openings.
 std::vector<double> speeds_of_rows(const test::CaseRun& run, double from, double floor) {
-  const double spacing = run.scene().numerics.spacing;
-  const auto rows = static_cast<std::size_t>(std::lround(0.1 / spacing));
-  std::vector<double> sum(rows, 0.0);
-  std::vector<double> number(rows, 0.0);
-  for (const SeriesEntry& e : read_series(run.folder().snapshot_series())) {
-    if (e.time < from) continue;
-    const ParticleSet p = read_particles(run.folder().root / e.file);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const Vec3& x = p.position[i];
-      if (p.type[i] != ParticleType::water || x.x() < 0.1 || x.x() > 0.95) continue;
-      const auto row = std::min(rows - 1, static_cast<std::size_t>(std::max(0.0, (x.z() - floor) / spacing)));
-      sum[row] += double(p.velocity[i].x()), number[row] += 1;
-    }
-  }
-  for (std::size_t row = 0; row < rows; ++row) sum[row] /= std::max(1.0, number[row]);
-  return sum;
+  return test::row_speeds(test::snapshots_from(run, from), run.scene().numerics.spacing, {0.1, 0.95, floor});
 }
 
 TEST(OpenChannel, KeepsLevelAndDischarge) {

@@ -6,7 +6,8 @@
 #include "tests/solver/program/trend.hpp"
 #include "tests/solver/program/wall_jet.hpp"
 
-// A minute of uniform flow between an inlet and a tail water: level, discharge, mass and pressure stay as they are.
+// Runs that are too long for every test: a minute of uniform flow between an inlet and a tail water, whose level, discharge,
+// mass and pressure stay as they are, and a jet at a finer spacing.
 namespace thalweg {
 namespace {
 
