@@ -16,7 +16,7 @@ inline constexpr std::uint8_t sediment_type_in_files = 3;  // ParticleType::sedi
 
 /// Particle pass over the walls: rows of the bed stand below the level of their column. The upper ones, which water may
 /// feel, lie a spacing apart; the others share what is left evenly. A row that would lie in the ground has no volume and
-/// counts as a wall in files.
+/// counts as a wall in files, with a millionth of its mass: readers ask for some, and the ground's surface is not raised.
 template <int Dim>
 struct MoveBedPass {
   using reads = Reads<field::bed_place>;
@@ -60,7 +60,7 @@ struct MoveBedPass {
     r.volume = is_there ? volume : 0;
     for (float& c : r.velocity) c = 0;
     r.velocity[up] = is_there ? static_cast<float>(rate * way) : 0;
-    mass[i] = scene.surface_bed.density * volume * static_cast<float>(distance / scene.spacing);
+    mass[i] = scene.surface_bed.density * volume * (is_there ? static_cast<float>(distance / scene.spacing) : 1e-6F);
     type[i] = is_there ? sediment_type_in_files : wall_type_in_files;
   }
 };

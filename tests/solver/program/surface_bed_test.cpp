@@ -83,6 +83,29 @@ TEST(SurfaceBedRun, ClearWaterFeedsNothing) {
   EXPECT_NEAR(level.at({50, level.begin()->first.second}), 0.04, 2e-4);
 }
 
+// Rows for grains to come lie in the ground of bare floors. Surfaces found in files would be raised by their mass.
+TEST(SurfaceBedRun, BareFloorsStayAsTheyAre) {
+  test::CaseRun run("surface_bare");
+  run.fill_from(scene("between"), {"output.end=\"0.1 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const ParticleSet particles = run.snapshot_at(0.1);
+  const double dp = particles.info.spacing;
+  std::map<std::pair<long, long>, std::pair<int, double>> walls;  // number and mass [kg] at each place
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.type[i] != ParticleType::wall) continue;
+    const Vec3& x = particles.position[i];
+    auto& [number, mass] = walls[{std::lround(x.x() / dp - 0.5), std::lround(x.z() / dp - 0.5)}];
+    ++number;
+    mass += double(particles.mass[i]);
+  }
+  int shared = 0;
+  for (const auto& [place, of] : walls) {
+    shared += of.first > 1;
+    EXPECT_NEAR(of.second, 1000 * dp * dp, 1e-4 * 1000 * dp * dp) << place.first << " " << place.second;
+  }
+  EXPECT_GT(shared, 10);
+}
+
 TEST(SurfaceBedRun, ContinuedIsTheSameBitForBit) {
   test::TwoEnds ends;
   ASSERT_NO_FATAL_FAILURE(
