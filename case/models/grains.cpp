@@ -24,6 +24,7 @@ Grains grains_of(const Case& of) {
   grains.water_viscosity = of.water.viscosity / of.water.density;
   grains.bed_load = of.model.bed_load;
   grains.pick_up = of.suspended_load.pick_up;
+  grains.adaptation = of.surface_bed.adaptation;
   return grains;
 }
 

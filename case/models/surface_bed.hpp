@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "case/models/rule.hpp"
+#include "physics/transport/saltation_length.hpp"
 
 namespace thalweg {
 
@@ -13,6 +14,13 @@ enum class BedFeed { none, equilibrium };
 inline constexpr std::array<Choice<BedFeed>, 2> choices(BedFeed) {
   return {{{BedFeed::none, "none", "clear water: none comes in"},
            {BedFeed::equilibrium, "equilibrium", "as much as the bed next to the inlet sends on"}}};
+}
+
+/// The words of surface_bed.adaptation.
+inline constexpr std::array<Choice<BedLoadAdaptation>, 2> choices(BedLoadAdaptation) {
+  return {{{BedLoadAdaptation::none, "none", "bed load has the law's rate everywhere"},
+           {BedLoadAdaptation::saltation, "saltation",
+            "bed load comes to the law's rate over the length of its grains' jumps (van Rijn 1984)"}}};
 }
 
 namespace models {

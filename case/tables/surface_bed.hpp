@@ -18,6 +18,7 @@ struct SurfaceBedSettings {
   double spin_up = 0;    // [s]
   double end = 0;        // [s] of the bed's time
   BedFeed feed = BedFeed::equilibrium;
+  BedLoadAdaptation adaptation = BedLoadAdaptation::none;
   double grain_stress = 1;  // [-]
 
   template <class V>
@@ -36,6 +37,8 @@ struct SurfaceBedSettings {
         "end", end, "s", 0, 1e12,
         "Time of the bed at which the run ends, if output.end has not come before. 0: output.end alone ends it.");
     v.choice("feed", feed, "Bed load that comes in with the water of an inlet.");
+    v.choice("adaptation", adaptation,
+             "Way of the grains from a place where none move, or from another stress, to the law's rate of bed load.");
     v.number("grain_stress", grain_stress, 0.01, 1,
              "Share of the water's shear stress on the bed that moves grains. Ripples smaller than a spacing take the "
              "rest, where the bed's roughness is theirs.");

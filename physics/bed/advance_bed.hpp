@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/bed/adapt_bed_load.hpp"
 #include "physics/bed/avalanche.hpp"
 #include "physics/bed/grains.hpp"
 #include "physics/bed/move_bed_load.hpp"
@@ -33,7 +34,8 @@ inline BedAdvance advance_bed(GrainColumns& bed, const Grains& of, const std::ve
   };
   BedAdvance done;
   while (done.time < duration && done.largest_change < most_change) {
-    const std::vector<BedPassage> passages = find_passages(bed, sent);
+    std::vector<BedPassage> passages = find_passages(bed, sent);
+    if (of.adaptation == BedLoadAdaptation::saltation) adapt_bed_load(bed, of, stress, passages);
     std::vector<double> rate(columns, 0.0);  // [m^3/s] of grains
     for (std::size_t c = 0; c < settling.size(); ++c) rate[c] = settling_on(bed, settling, static_cast<int>(c));
     const bool at_rest = passages.empty() && std::all_of(rate.begin(), rate.end(), [](double r) { return r == 0; });

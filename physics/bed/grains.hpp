@@ -10,6 +10,7 @@
 #include "physics/transport/friction_velocity.hpp"
 #include "physics/transport/lift_settling.hpp"
 #include "physics/transport/pick_up.hpp"
+#include "physics/transport/saltation_length.hpp"
 #include "physics/transport/slope_factor.hpp"
 
 // Grains that water moves over a bed of columns: the laws of physics/transport, composed.
@@ -29,6 +30,7 @@ struct Grains {
   double gravity = 0;           // [m/s^2]
   BedLoad bed_load = BedLoad::meyer_peter_mueller;
   PickUp pick_up = PickUp::mastbergen;
+  BedLoadAdaptation adaptation = BedLoadAdaptation::none;
 
   /// Dimensionless diameter d* [-].
   [[nodiscard]] double size_number() const {

@@ -6,6 +6,7 @@
 #include "physics/transport/bed_load_drift.hpp"
 #include "physics/transport/lift_settling.hpp"
 #include "physics/transport/pick_up.hpp"
+#include "physics/transport/saltation_length.hpp"
 
 namespace thalweg {
 namespace {
@@ -64,6 +65,12 @@ TEST(BedLoadDrift, LeansDownASlopeAcrossTheFlow) { EXPECT_EQ(transverse_slope(0.
 TEST(BedLoad, FollowsVanRijn) {
   EXPECT_NEAR(van_rijn_bed_load(0.4, 0.05, 61.01), 0.919097, 1e-6);
   EXPECT_EQ(van_rijn_bed_load(0.05, 0.05, 61.01), 0);
+}
+
+// 3 * 0.8 mm * 20.24^0.6 * 9^0.9 = 2.4e-3 * 6.0777 * 7.2247 = 0.10538 m
+TEST(BedLoad, JumpsAsVanRijnMeasured) {
+  EXPECT_NEAR(saltation_length(0.3, 0.03, 20.24, 0.0008), 0.105379, 1e-6);
+  EXPECT_EQ(saltation_length(0.03, 0.03, 20.24, 0.0008), 0);
 }
 
 // 0.00033 * 61.01^0.3 * 7^1.5 * sqrt(0.54 * 9.81 * 0.0035) = 0.00033 * 3.4326 * 18.5203 * 0.136165 = 2.85658e-3 m/s
