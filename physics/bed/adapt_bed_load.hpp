@@ -10,7 +10,7 @@
 
 namespace thalweg {
 
-/// What each column sends of what the law says [-], where the bed load q comes to the law's rate over a length L:
+/// The part of the law's rate that each column sends [-], where the bed load q comes to that rate over a length L:
 ///   div q = (q_law - q)/L
 /// `passages` are the law's; length(column) gives L [m], path(column) the way of the flow through the column [m]. A column
 /// passes on exp(-path/L) of what comes in, and adds the rest of the law's rate: exact along a uniform bed at any width of

@@ -6,7 +6,7 @@
 
 namespace thalweg {
 
-/// How bed load comes to the law's rate where the water's stress changes.
+/// The way in which bed load comes to the law's rate where the stress of the water changes.
 ///   none        it has the law's rate everywhere
 ///   saltation   within the length of a grain's jump
 enum class BedLoadAdaptation { none, saltation };

@@ -95,7 +95,7 @@ TEST(AdaptBedLoad, OverloadsAQuieterReach) {
   }
 }
 
-// Where nothing moves, all that came in stays.
+// All that came in stays where nothing moves.
 TEST(AdaptBedLoad, GrainsStayWhereTheLawIsZero) {
   const Grains of = [] {
     Grains sand;
