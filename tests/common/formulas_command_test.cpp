@@ -89,6 +89,16 @@ TEST(FormulasScene, SeesPiersAndAContractionInAFlume) {
   EXPECT_THAT(reading.notes, IsEmpty());
 }
 
+// Prisms along z that touch a side narrow the flume, where they do most; one that stands free may be a pier.
+TEST(FormulasScene, SeesSidesThatArePrisms) {
+  const SceneReading reading = reading_of("narrows");
+  ASSERT_THAT(titles(reading), ElementsAre("contraction"));
+  EXPECT_NEAR(reading.subjects[0].inputs.value("width"), 0.6, 1e-6);
+  EXPECT_NEAR(reading.subjects[0].inputs.value("contracted-width"), 0.36, 1e-5);  // at the corner of the left side
+  ASSERT_EQ(reading.notes.size(), 1U);
+  EXPECT_THAT(reading.notes[0].text, HasSubstr("shape \"nose\" is a prism, whose width is not read"));
+}
+
 TEST(FormulasScene, SeesNoPierThatEndsInTheBed) {
   const SceneReading reading = reading_of("flume", {"shape.pile.to=[\"1 m\", \"0 m\", \"0.1 m\"]"});
   EXPECT_THAT(titles(reading), ElementsAre("pier, shape \"twin\"", "pier, shape \"block\"", "contraction"));

@@ -21,8 +21,8 @@ struct SceneReading {
   std::vector<SceneNote> notes;
 };
 
-/// Reads flow, bed and obstacles out of a case. Simple shapes count: boxes, cylinders, levels, layers and, in 2-D,
-/// prisms. A depth is read where all water stands at one level, or an outlet holds one; a hydrograph counts with its
+/// Reads flow, bed and obstacles out of a case. Simple shapes count: boxes, cylinders, levels, layers, prisms in
+/// 2-D and as sides of a flume. A depth is read where all water stands at one level, or an outlet holds one; a hydrograph counts with its
 /// largest value.
 SceneReading read_scene(const Case& scene);
 

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
+
+#include "common/app/scour/body_in_plan.hpp"
 
 namespace thalweg {
 namespace {
@@ -112,7 +116,7 @@ void read_cylinder(const Case& scene, const Shape& shape, const Level& bed, Scen
   if (std::abs(axis[1 - flow_axis(scene)]) > 0.99) add_pipe(shape, 0.5 * (shape.from + shape.to).z(), bed, reading);
 }
 
-/// The flume in plan: boxes that stand through the bed, and the sides of what holds the water.
+/// The flume in plan: boxes and upright prisms that stand through the bed, and the sides of what holds the water.
 class Plan {
  public:
   Plan(const Case& scene, const Level& bed) : along_(flow_axis(scene)), across_(1 - along_) {
@@ -125,40 +129,50 @@ class Plan {
       }
     }
     if (!bed.is_known()) return;  // nothing tells a pier from a step on the floor
-    for (const Shape& shape : scene.shapes)
-      if (is_body(shape) && shape.kind == ShapeKind::box && stands_through({shape.from, shape.to}, bed))
-        boxes_.push_back(&shape);
+    for (const Shape& shape : scene.shapes) {
+      if (!is_body(shape)) continue;
+      std::optional<BodyInPlan> body = body_in_plan(shape);
+      if (body && stands_through({body->from, body->to}, bed)) bodies_.push_back(std::move(*body));
+    }
   }
 
-  [[nodiscard]] const std::vector<const Shape*>& boxes() const { return boxes_; }
-  [[nodiscard]] double width_of(const Shape& box) const { return box.to[across_] - box.from[across_]; }
-  [[nodiscard]] double length_of(const Shape& box) const { return box.to[along_] - box.from[along_]; }
-  /// True if a box leaves water on both sides.
-  [[nodiscard]] bool stands_free(const Shape& box) const {
-    return box.from[across_] > left_ + rounding() && box.to[across_] < right_ - rounding();
+  [[nodiscard]] const std::vector<BodyInPlan>& bodies() const { return bodies_; }
+  [[nodiscard]] double width_of(const BodyInPlan& body) const { return body.to[across_] - body.from[across_]; }
+  [[nodiscard]] double length_of(const BodyInPlan& body) const { return body.to[along_] - body.from[along_]; }
+  /// True if a body leaves water on both sides.
+  [[nodiscard]] bool stands_free(const BodyInPlan& body) const {
+    return body.from[across_] > left_ + rounding() && body.to[across_] < right_ - rounding();
   }
-  /// Width [m] between the boxes that touch a side, at a place along the flow.
+  /// True if a shape is a body that narrows the flume.
+  [[nodiscard]] bool is_side(const Shape& shape) const {
+    return std::any_of(bodies_.begin(), bodies_.end(),
+                       [&](const BodyInPlan& body) { return body.shape == &shape && !stands_free(body); });
+  }
+  /// Width [m] between the bodies that touch a side, at a place along the flow.
   [[nodiscard]] double free_width(double place) const {
     double left = left_;
     double right = right_;
-    for (const Shape* const box : boxes_) {
-      if (place < box->from[along_] || place > box->to[along_] || stands_free(*box)) continue;
-      if (box->from[across_] <= left_ + rounding()) left = std::max(left, box->to[across_]);
-      if (box->to[across_] >= right_ - rounding()) right = std::min(right, box->from[across_]);
+    for (const BodyInPlan& body : bodies_) {
+      const auto here = body.at(along_, place);
+      if (!here || stands_free(body)) continue;
+      if (body.from[across_] <= left_ + rounding()) left = std::max(left, here->second);
+      if (body.to[across_] >= right_ - rounding()) right = std::min(right, here->first);
     }
     return std::max(0.0, right - left);
   }
-  /// Places between the edges of the boxes, one of each stretch.
+  /// Places just beside the corners of the bodies: the width is largest and smallest there.
   [[nodiscard]] std::vector<double> places(const Case& scene) const {
     std::vector<double> edges{scene.domain.from[along_], scene.domain.to[along_]};
-    for (const Shape* const box : boxes_) edges.insert(edges.end(), {box->from[along_], box->to[along_]});
+    for (const BodyInPlan& body : bodies_)
+      for (const Eigen::Vector2d& corner : body.outline) edges.push_back(corner[along_]);
     for (const Shape& shape : scene.shapes)
       if (is_container(shape)) edges.insert(edges.end(), {shape.from[along_], shape.to[along_]});
     std::sort(edges.begin(), edges.end());
-    std::vector<double> middles;
+    const double beside = 1e-6 * (edges.back() - edges.front());
+    std::vector<double> found;
     for (std::size_t i = 1; i < edges.size(); ++i)
-      if (edges[i] > edges[i - 1]) middles.push_back(0.5 * (edges[i] + edges[i - 1]));
-    return middles;
+      if (edges[i] - edges[i - 1] > 2 * beside) found.insert(found.end(), {edges[i - 1] + beside, edges[i] - beside});
+    return found;
   }
 
  private:
@@ -168,13 +182,14 @@ class Plan {
   int across_;
   double left_ = 0;
   double right_ = 0;
-  std::vector<const Shape*> boxes_;
+  std::vector<BodyInPlan> bodies_;
 };
 
-void read_plan(const Case& scene, const Level& bed, SceneReading& reading) {
-  const Plan plan(scene, bed);
-  for (const Shape* const box : plan.boxes())
-    if (plan.stands_free(*box)) add_pier(*box, plan.width_of(*box), plan.length_of(*box), PierNose::square, reading);
+void read_plan(const Case& scene, const Plan& plan, SceneReading& reading) {
+  for (const BodyInPlan& body : plan.bodies()) {
+    if (body.shape->kind != ShapeKind::box || !plan.stands_free(body)) continue;
+    add_pier(*body.shape, plan.width_of(body), plan.length_of(body), PierNose::square, reading);
+  }
   double widest = 0;
   double narrowest = HUGE_VAL;
   for (const double place : plan.places(scene)) {
@@ -223,16 +238,17 @@ Level apron_before(const Case& scene, const Inlet& inlet) {
 }
 
 void read_obstacles(const Case& scene, const Level& bed, SceneReading& reading) {
+  const Plan plan(scene, bed);
   for (const Shape& shape : scene.shapes) {
     if (!is_body(shape)) continue;
     if (shape.kind == ShapeKind::cylinder) read_cylinder(scene, shape, bed, reading);
-    if (scene.dimension() == 3 && has_unread_width(shape.kind)) {
+    if (scene.dimension() == 3 && has_unread_width(shape.kind) && !plan.is_side(shape)) {
       reading.notes.push_back({fmt::format("{} is a {}, whose width is not read; give --pier-width if it is a pier",
                                            shape_name(shape), word_for(shape.kind)),
                                "pier-width"});
     }
   }
-  if (scene.dimension() == 3) read_plan(scene, bed, reading);
+  if (scene.dimension() == 3) read_plan(scene, plan, reading);
 }
 
 }  // namespace thalweg
