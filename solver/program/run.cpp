@@ -45,7 +45,7 @@ class Run {
         clock_{from.particles.info.time, from.particles.info.step},
         simulation_(start(from, options)),
         output_({options.folder}, lock, info(from.particles)),
-        progress_(case_.output.end, clock_.time),
+        progress_({case_.output.end, case_.surface_bed.end}, {clock_.time, simulation_->bed_time()}),
         counts_(from.counts),
         bed_schedule_(case_) {
     bed_schedule_.begin(simulation_->bed_time());
@@ -146,7 +146,8 @@ class Run {
         read_gauges_now();
         next_gauges_ = gauge_time_after(clock_.time);
       }
-      progress_.show(clock_.time, clock_.step, report.dt, limiter_name(report.limiter), counts_.particle_steps);
+      progress_.show({clock_.time, simulation_->bed_time()}, clock_.step, report.dt, limiter_name(report.limiter),
+                     counts_.particle_steps);
     });
     return bed_is_due;
   }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "solver/program/progress.hpp"
+
 namespace thalweg {
 namespace {
 
@@ -47,6 +49,13 @@ TEST(BedSchedule, GoesOnBehindWhatWasDueBefore) {
   EXPECT_FALSE(schedule.passes(21));
   EXPECT_TRUE(schedule.passes(30));
   EXPECT_FALSE(schedule.is_at_end(1e9));
+}
+
+TEST(Progress, CountsTowardsTheNearerEnd) {
+  EXPECT_DOUBLE_EQ(share_done({1, 0}, {4, 0}), 0.25);
+  EXPECT_DOUBLE_EQ(share_done({1, 30}, {4, 60}), 0.5);
+  EXPECT_DOUBLE_EQ(share_done({3, 30}, {4, 60}), 0.75);
+  EXPECT_DOUBLE_EQ(share_done({1, 30}, {4, 0}), 0.25);  // a bed whose time ends nothing
 }
 
 }  // namespace
