@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/bed/advance_bed.hpp"
+#include "tests/physics/sand_bed.hpp"
 
 // Bed load that comes to the law's rate over a length, against the exact solutions of dq/dx = (q_law - q)/L.
 namespace thalweg {
@@ -14,14 +15,8 @@ constexpr double rate = 1e-5;    // [m^2/s] of the law
 constexpr double length = 0.03;  // [m] L
 
 GrainColumns bed_of(int nx, int ny, double width) {
-  GrainColumns bed;
-  bed.grid = {nx, ny, width, ny > 1 ? width : 1.0, false, false};
-  bed.packing = 0.6;
-  const auto columns = static_cast<std::size_t>(nx * ny);
-  bed.area.assign(columns, bed.grid.dx * bed.grid.dy);
-  bed.floor.assign(columns, 0.0);
-  bed.grains.assign(columns, bed.packing * bed.area[0] * 0.05);
-  bed.end.assign(columns, BedEnd::closed);
+  GrainColumns bed = test::bed_of(nx, ny, width, test::sand(), 0.05);
+  bed.end.assign(bed.grains.size(), BedEnd::closed);
   return bed;
 }
 
@@ -97,20 +92,8 @@ TEST(AdaptBedLoad, OverloadsAQuieterReach) {
 
 // All that came in stays where nothing moves.
 TEST(AdaptBedLoad, GrainsStayWhereTheLawIsZero) {
-  const Grains of = [] {
-    Grains sand;
-    sand.density = 2650;
-    sand.diameter = 0.001;
-    sand.porosity = 0.4;
-    sand.tan_friction = std::tan(32 * M_PI / 180);
-    sand.lift_ratio = 0.85;
-    sand.critical_shields = 0.047;
-    sand.water_density = 1000;
-    sand.water_viscosity = 1e-6;
-    sand.gravity = 9.81;
-    sand.adaptation = BedLoadAdaptation::saltation;
-    return sand;
-  }();
+  Grains of = test::sand();
+  of.adaptation = BedLoadAdaptation::saltation;
   GrainColumns bed = bed_of(40, 1, 0.01);
   const double before = bed.total();
   std::vector<BedStress> stress(40);

@@ -6,38 +6,15 @@
 #include <numeric>
 
 #include "physics/bed/advance_bed.hpp"
+#include "tests/physics/sand_bed.hpp"
 
 // The bed as a surface against exact solutions: a heap's slope, the kinematic wave of a dune and of a trench, uniform
 // transport, ends.
 namespace thalweg {
 namespace {
 
-/// Sand of 1 mm.
-Grains sand() {
-  Grains of;
-  of.density = 2650;
-  of.diameter = 0.001;
-  of.porosity = 0.4;
-  of.tan_friction = std::tan(32 * M_PI / 180);
-  of.lift_ratio = 0.85;
-  of.roughness = 0.0025;
-  of.critical_shields = 0.047;
-  of.water_density = 1000;
-  of.water_viscosity = 1e-6;
-  of.gravity = 9.81;
-  return of;
-}
-
-GrainColumns bed_of(int nx, int ny, double width, const Grains& of, double thickness) {
-  GrainColumns bed;
-  bed.grid = {nx, ny, width, ny > 1 ? width : 1.0, false, false};
-  bed.packing = 1 - of.porosity;
-  const auto columns = static_cast<std::size_t>(nx * ny);
-  bed.area.assign(columns, bed.grid.dx * bed.grid.dy);
-  bed.floor.assign(columns, 0.0);
-  bed.grains.assign(columns, bed.packing * bed.area[0] * thickness);
-  return bed;
-}
+using test::bed_of;
+using test::sand;
 
 /// Friction velocity of a Shields number.
 double friction_velocity_at(const Grains& of, double shields) {
