@@ -44,8 +44,9 @@ class Ranks {
   [[nodiscard]] virtual Traffic sent() const = 0;
   /// Time that this rank has spent in the functions above, mostly waiting for others [s].
   [[nodiscard]] virtual double waited() const = 0;
-  /// Number of the ranks on this machine.
+  /// Number of the ranks on this machine, and this one's among them.
   [[nodiscard]] virtual int on_this_machine() const = 0;
+  [[nodiscard]] virtual int place_on_this_machine() const = 0;
   /// Ends the run on all ranks, now; for a rank that cannot go on.
   [[noreturn]] virtual void abandon() = 0;
 };

@@ -137,6 +137,16 @@ struct CudaRuntime {
     cudaFreeAsync(p, launching ? stream() : memory().beside);
   }
 
+  /// Page-locked memory.
+  static void* allocate_on_host(std::size_t bytes) {
+    void* p = nullptr;
+    check_cuda(cudaMallocHost(&p, bytes), "allocating page-locked memory");
+    return p;
+  }
+  static void release_on_host(void* p) noexcept {
+    if (p != nullptr) cudaFreeHost(p);
+  }
+
   /// A moment between launches.
   class Mark {
    public:
@@ -165,6 +175,7 @@ struct CudaRuntime {
     wait();
   }
   static void copy_to_host(void* to, const void* from, std::size_t bytes) {
+    if (bytes == 0) return wait();  // memcpy would tell the compiler that no address is null
     void* staged = bytes <= largest_result ? memory().result_on_host : to;
     copy(staged, from, bytes, cudaMemcpyDeviceToHost);
     wait();

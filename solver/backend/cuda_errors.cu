@@ -63,6 +63,13 @@ void check_cuda(cudaError_t status, const char* doing) {
   if (status != cudaSuccess) throw RunError(std::string("CUDA, while ") + doing + ": " + reason(status));
 }
 
+int choose_cuda_device(int place) {
+  int devices = 0;
+  if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) return 0;  // cuda_problem() says why
+  check_cuda(cudaSetDevice(place % devices), "choosing a device");
+  return devices;
+}
+
 std::string cuda_problem() {
   int devices = 0;
   const cudaError_t status = cudaGetDeviceCount(&devices);
@@ -79,8 +86,10 @@ std::string cuda_problem() {
 }
 
 std::string cuda_device_name() {
+  int device = 0;
   cudaDeviceProp properties{};
-  check_cuda(cudaGetDeviceProperties(&properties, 0), "asking for the device");
+  check_cuda(cudaGetDevice(&device), "asking for the device");
+  check_cuda(cudaGetDeviceProperties(&properties, device), "asking for the device");
   return std::string(properties.name) + ", " + std::to_string(properties.totalGlobalMem / 1000000000) + " GB";
 }
 

@@ -10,7 +10,11 @@ namespace thalweg {
 /// doing: "allocating memory".
 void check_cuda(cudaError_t status, const char* doing);
 
-/// Why the first CUDA device cannot be used, with the cure; empty if it can.
+/// Takes device number `place` of this machine's, or begins again with the first behind the last. Before anything is
+/// launched. Returns how many there are.
+int choose_cuda_device(int place);
+
+/// Why the CUDA device cannot be used, with the cure; empty if it can.
 std::string cuda_problem();
 
 /// "NVIDIA H200, 140 GB".

@@ -40,6 +40,13 @@ class DeviceBuffer {
     }
     size_ = n;
   }
+  void shrink_to_fit() {
+    if (capacity_ == size_) return;
+    DeviceBuffer smaller;
+    smaller.resize(size_);
+    if (size_ > 0) Runtime::copy_on_device(smaller.data_, data_, size_ * sizeof(T));
+    swap(smaller);
+  }
   void swap(DeviceBuffer& b) noexcept {
     std::swap(data_, b.data_);
     std::swap(size_, b.size_);
@@ -54,6 +61,45 @@ class DeviceBuffer {
 
  private:
   T* data_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+/// Bytes in the host's memory that a device copies quickly. Contents are lost when it grows.
+template <class Runtime>
+class PinnedBytes {
+ public:
+  PinnedBytes() = default;
+  PinnedBytes(const PinnedBytes&) = delete;
+  PinnedBytes& operator=(const PinnedBytes&) = delete;
+  PinnedBytes(PinnedBytes&& b) noexcept { swap(b); }
+  PinnedBytes& operator=(PinnedBytes&& b) noexcept {
+    swap(b);
+    return *this;
+  }
+  ~PinnedBytes() { Runtime::release_on_host(data_); }
+
+  void resize(std::size_t n) {
+    if (n > capacity_) {
+      PinnedBytes().swap(*this);
+      const std::size_t room = n + n / 4;
+      data_ = static_cast<std::byte*>(Runtime::allocate_on_host(room));
+      capacity_ = room;
+    }
+    size_ = n;
+  }
+  void swap(PinnedBytes& b) noexcept {
+    std::swap(data_, b.data_);
+    std::swap(size_, b.size_);
+    std::swap(capacity_, b.capacity_);
+  }
+
+  [[nodiscard]] std::byte* data() { return data_; }
+  [[nodiscard]] const std::byte* data() const { return data_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+ private:
+  std::byte* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
 };

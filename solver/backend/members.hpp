@@ -78,7 +78,7 @@ void reduce_members_then(Device& on, const ClusterList& list, ClusterRange range
     on.reduce_clusters_then(list, range, start, ClusterTerm<Of, T, Combine>{{}, list, of, start, combine}, combine,
                             then);
   } else {
-    on.reduce_then(range.count * cluster_size, start, MemberTerm<Of, T>{{}, list, range, of, start}, combine, then);
+    on.reduce_members_then(list, range, start, MemberTerm<Of, T>{{}, list, range, of, start}, combine, then);
   }
 }
 

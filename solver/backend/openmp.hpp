@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -70,6 +71,19 @@ struct OpenMp : SharedOnHost {
     return buffer;
   }
 
+  /// A message between ranks.
+  using Message = Bytes;
+  /// Copies a buffer's numbers into a message, and back.
+  template <class T>
+  static void download_to(const Buffer<T>& buffer, std::byte* message) {
+    std::memcpy(message, buffer.data(), buffer.size() * sizeof(T));
+  }
+  template <class T>
+  static void upload_from(const std::byte* message, std::size_t n, Buffer<T>& to) {
+    to.resize(n);
+    std::memcpy(static_cast<void*>(to.data()), message, n * sizeof(T));
+  }
+
   /// Writes one number on the device.
   template <class T>
   static void write(const T& number, T* to) {
@@ -120,10 +134,7 @@ struct OpenMp : SharedOnHost {
   template <class T, class Of, class Combine>
   T reduce(Index n, T start, const Of& of, const Combine& combine) const {
     const T mine = reduce_here(n, start, of, combine);
-    if (shared == nullptr) return mine;
-    T total = start;
-    for (const Partial<T>& of_rank : gather_from(shared->ranks, Partial<T>{mine})) total = combine(total, of_rank.sum);
-    return total;
+    return shared == nullptr ? mine : total_of_ranks(shared->ranks, mine, start, combine);
   }
   /// The same over the fluid: whatever ranks it lies on, the same bits.
   template <class T, class Of, class Combine>

@@ -116,4 +116,15 @@ T total_of(Ranks& ranks, const BlockTree<T, Combine>& mine, const T& start, cons
   return tree.total(start);
 }
 
+/// start combined with the numbers of all ranks, one rank after the other.
+template <class T, class Combine>
+T total_of_ranks(Ranks& ranks, const T& mine, const T& start, const Combine& combine) {
+  struct Own {
+    T number;
+  };
+  T total = start;
+  for (const Own& of_rank : gather_from(ranks, Own{mine})) total = combine(total, of_rank.number);
+  return total;
+}
+
 }  // namespace thalweg

@@ -33,6 +33,11 @@ struct SharedOnHost {
     if (shared != nullptr) shared->ranks.largest(marks.data(), marks.size());
   }
 
+  /// Adds to the boxes of the list cells' blocks what other ranks found in the same blocks.
+  void share_drift(const DriftBlocks& blocks, HostBuffer<DriftBox>& of_block) const {
+    if (shared != nullptr) shared->merge(blocks, of_block.data());
+  }
+
   /// Brings to all ranks what one of them has changed since `before`, which becomes a copy of the result.
   template <class T>
   void share_changes(HostBuffer<T>& now, HostBuffer<T>& before) const {

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "solver/backend/buffer.hpp"
 #include "solver/backend/device.hpp"
 #include "solver/state/particles.hpp"
 #include "solver/state/scene.hpp"
@@ -83,45 +81,37 @@ void for_each_halo_part(Particles<Device>& p, const Scene<Dim>& scene, const std
 /// Bytes of a particle in such a message.
 template <int Dim, class Device>
 std::size_t halo_bytes(Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
-                       const FieldsBeside& beside = {}) {
+                       const FieldsBeside& beside) {
   std::size_t bytes = 0;
   for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t) { bytes += sizeof(*entries); });
   return bytes;
 }
 
-/// Packs these fields of the particles `of`.
+/// Packs these fields of the particles `of` into a message, halo_bytes() for each.
 template <int Dim, class Device>
-std::vector<std::byte> pack(Device& on, Particles<Device>& p, const Scene<Dim>& scene,
-                            const std::vector<const Field*>& fields, const typename Device::template Buffer<Index>& of,
-                            const FieldsBeside& beside = {}) {
-  std::vector<std::byte> message;
+void pack(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
+          const typename Device::template Buffer<Index>& of, const FieldsBeside& beside, std::byte* message) {
   const auto n = static_cast<Index>(of.size());
   for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t stride) {
     using T = std::remove_cvref_t<decltype(*entries)>;
     typename Device::template Buffer<T> packed;
     packed.resize(n);
     on.for_each(n, PackPass<T>{entries, stride, of.data(), packed.data()});
-    const auto numbers = on.download(packed);
-    const auto* bytes = reinterpret_cast<const std::byte*>(numbers.data());
-    message.insert(message.end(), bytes, bytes + n * sizeof(T));
+    on.download_to(packed, message);
+    message += n * sizeof(T);
   });
-  return message;
 }
 
 /// Unpacks a message of the same fields into the particles `of`.
 template <int Dim, class Device>
 void unpack(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
-            const std::vector<std::byte>& message, const typename Device::template Buffer<Index>& of,
-            const FieldsBeside& beside = {}) {
-  std::size_t at = 0;
+            const std::byte* message, const typename Device::template Buffer<Index>& of, const FieldsBeside& beside) {
   const auto n = static_cast<Index>(of.size());
   for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t stride) {
     using T = std::remove_cvref_t<decltype(*entries)>;
-    HostBuffer<T> numbers(n);
-    std::memcpy(numbers.data(), message.data() + at, n * sizeof(T));
-    at += n * sizeof(T);
     typename Device::template Buffer<T> received;
-    on.upload(std::move(numbers), received);
+    on.upload_from(message, n, received);
+    message += n * sizeof(T);
     on.for_each(n, UnpackPass<T>{received.data(), of.data(), stride, entries});
   });
 }

@@ -217,9 +217,7 @@ void Population::admit(Device& on, Particles<Device>& p, const Scene<Dim>& scene
   EachArray grow(sorted,
                  [&](const Field&, auto& buffer, const auto& newborn) { append(on, buffer, before, more, newborn); });
   waiting_.clear();
-  if constexpr (Device::is_host) {
-    if (on.shared != nullptr && on.shared->ranks.rank() + 1 != on.shared->ranks.size()) return;
-  }
+  if (on.shared != nullptr && on.shared->ranks.rank() + 1 != on.shared->ranks.size()) return;
   p.describe(scene, grow);
   write_behind(on, p.record, before, std::move(records));
   write_behind(on, p.position, before, std::move(positions));

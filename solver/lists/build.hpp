@@ -20,7 +20,7 @@ Index make_entries(Device& on, Particles<Device>& p, const Arrays& arrays, const
     return on.template make_lists<Dim>(p.clusters, GroupSearch<Dim, Device>{arrays.search, p.list(), marks},
                                        p.list_begin, p.list_entries, spare);
   } else {
-    return make_lists_by_teams<Dim>(on, p, arrays.search, marks, spare);
+    return make_lists_by_teams(on, p, arrays, marks, spare);
   }
 }
 

@@ -170,9 +170,7 @@ void find_squared_drift(Device& on, Particles<Device>& p, const Scene<Dim>& scen
                 for (Index part = 0; part < parts; ++part) box.add(of_cell[n * parts + part]);
                 of_block[n] = box;
               }));
-  if constexpr (Device::is_host) {
-    if (on.shared != nullptr) on.shared->merge(blocks, of_block);
-  }
+  on.share_drift(blocks, p.drift_of_block);
   on.reduce_then(
       blocks.count(), 0.0F, NeighbourhoodDrift<Dim>{blocks, of_block},
       [] HOST_DEVICE(float a, float b) { return a > b ? a : b; },

@@ -25,9 +25,7 @@ void keep_listed_places(Device& on, Particles<Device>& p) {
 /// Calls what(share) with this rank's share of the scene; nothing where there is one rank.
 template <int Dim, class Device, class What>
 void with_share(Device& on, const What& what) {
-  if constexpr (Device::is_host) {
-    if (on.shared != nullptr) what(static_cast<Share<Dim, Device>&>(*on.shared));
-  }
+  if (on.shared != nullptr) what(static_cast<Share<Dim, Device>&>(*on.shared));
 }
 
 /// Those of all ranks.

@@ -23,7 +23,12 @@ namespace thalweg {
 template <int Dim, class Device>
 class Share final : public SharedScene, public StaleFields {
  public:
-  explicit Share(Ranks& of) : SharedScene(of), copies_of_(static_cast<std::size_t>(of.size())) {}
+  explicit Share(Ranks& of) : SharedScene(of) {
+    const auto n = static_cast<std::size_t>(of.size());
+    copies_of_.resize(n);
+    outgoing_.resize(n);
+    incoming_.resize(n);
+  }
 
   void set_beside(FieldsBeside where) { beside_ = std::move(where); }
 
@@ -144,19 +149,19 @@ class Share final : public SharedScene, public StaleFields {
     const int* const flag = on.skip_unless(nullptr);  // what is stale was written, even if what follows is skipped
     AccessListener* const listener = std::exchange(on.listener, nullptr);
     const auto n = copies_of_.size();
-    std::vector<Bytes> messages(n);
-    std::vector<Bytes> incoming(n);
+    const std::size_t of_one = halo_bytes(*p_, *scene_, fields, beside_);
     std::vector<std::span<const std::byte>> to(n);
     std::vector<std::span<std::byte>> from(n);
     for (std::size_t r = 0; r < n; ++r) {
-      if (copies_of_[r].size() > 0) messages[r] = pack(on, *p_, *scene_, fields, copies_of_[r], beside_);
-      if (copy_[r].size() > 0) incoming[r].resize(copy_[r].size() * halo_bytes(*p_, *scene_, fields, beside_));
-      to[r] = messages[r];
-      from[r] = incoming[r];
+      outgoing_[r].resize(copies_of_[r].size() * of_one);
+      incoming_[r].resize(copy_[r].size() * of_one);
+      if (copies_of_[r].size() > 0) pack(on, *p_, *scene_, fields, copies_of_[r], beside_, outgoing_[r].data());
+      to[r] = {outgoing_[r].data(), outgoing_[r].size()};
+      from[r] = {incoming_[r].data(), incoming_[r].size()};
     }
     ranks.exchange(to, from);
     for (std::size_t r = 0; r < n; ++r) {
-      if (copy_[r].size() > 0) unpack(on, *p_, *scene_, fields, incoming[r], copy_[r], beside_);
+      if (copy_[r].size() > 0) unpack(on, *p_, *scene_, fields, incoming_[r].data(), copy_[r], beside_);
     }
     on.listener = listener;
     on.skip_unless(flag);
@@ -185,6 +190,7 @@ class Share final : public SharedScene, public StaleFields {
       std::remove_reference_t<decltype(buffer)> spare;
       on.reorder(buffer, on_device, spare);
       buffer.resize(kept);
+      buffer.shrink_to_fit();
     };
     take(p.record);
     EachArray arrays(sorted, [&](const Field&, auto& buffer, const auto&) { take(buffer); });
@@ -213,6 +219,8 @@ class Share final : public SharedScene, public StaleFields {
 
   std::vector<typename Device::template Buffer<Index>> copies_of_;  // of this rank's particles, on each other rank
   std::vector<typename Device::template Buffer<Index>> copy_;       // this rank's copies of each other rank's
+  std::vector<typename Device::Message> outgoing_;
+  std::vector<typename Device::Message> incoming_;
   neighbours::BlockExchange<Dim> blocks_;
   FieldsBeside beside_;
   Pace pace_;

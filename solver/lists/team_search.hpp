@@ -28,8 +28,9 @@ HOST_DEVICE inline Index bits_below(std::uint32_t word, Index lane) {
   return static_cast<Index>(std::popcount(word & ((1U << lane) - 1)));
 }
 
-/// Finds every particle within reach of any member of a cluster, each once, in the order of ClusterSearch.
-template <int Dim>
+/// Finds every particle within reach of any member of a cluster, each once, in the order of ClusterSearch. Cells have so many
+/// sections (CellTable).
+template <int Dim, int in_cell>
 struct TeamSearch : CellReach<Dim> {
   const PlaceQuad* places;  // of all particles
 
@@ -134,20 +135,24 @@ struct TeamSearch : CellReach<Dim> {
     Index cells = 1;
     for (int k = 0; k < Dim; ++k) cells *= static_cast<Index>(window.last[k] - window.first[k] + 1);
     for (Index from = 0; from < cells; from += Team::size) {
-      typename Team::template PerLane<Index> begin[2];
-      typename Team::template PerLane<Index> end[2];
+      typename Team::template PerLane<Index> begin[in_cell];
+      typename Team::template PerLane<Index> end[in_cell];
       team.each([&](Index lane) {
         const std::int64_t n = from + lane < cells ? cell_number(extent, window, from + lane) : -1;
-        for (int s = 0; s < 2; ++s) {
-          begin[s][lane] = n >= 0 && s < sections ? this->table.begin[s][n] : 0;
-          end[s][lane] = n >= 0 && s < sections ? this->table.end[s][n] : 0;
+        for (int s = 0; s < in_cell; ++s) {
+          const bool visited = n >= 0 && s < sections * in_cell / 2;
+          begin[s][lane] = visited ? this->table.begin[s][n] : 0;
+          end[s][lane] = visited ? this->table.end[s][n] : 0;
         }
       });
-      std::uint32_t occupied =
-          team.ballot([&](Index lane) { return begin[0][lane] < end[0][lane] || begin[1][lane] < end[1][lane]; });
+      std::uint32_t occupied = team.ballot([&](Index lane) {
+        bool any = false;
+        for (int s = 0; s < in_cell; ++s) any = any || begin[s][lane] < end[s][lane];
+        return any;
+      });
       for (; occupied != 0; occupied &= occupied - 1) {
         const auto lane_of_cell = static_cast<Index>(std::countr_zero(occupied));
-        for (int s = 0; s < 2; ++s) {
+        for (int s = 0; s < in_cell; ++s) {
           const Index last = team.get(end[s], lane_of_cell);
           for (Index j = team.get(begin[s], lane_of_cell); j < last; j += Team::size) {
             found(j,
@@ -187,13 +192,13 @@ struct TeamSearch : CellReach<Dim> {
 };
 
 /// Counts the neighbours of a cluster, padded, and keeps its words of hits.
-template <int Dim>
+template <int Dim, int in_cell>
 struct CountPass {
   using neighbours = Neighbours<field::place>;
   using reads = Reads<>;
   using writes = Writes<>;
 
-  TeamSearch<Dim> search;
+  TeamSearch<Dim, in_cell> search;
   ClusterList list;
   std::uint32_t* kept;  // kept_words a cluster
   Index* counts;
@@ -215,13 +220,13 @@ struct CountPass {
 };
 
 /// Writes the entries of a cluster, padded, and its marks.
-template <int Dim>
+template <int Dim, int in_cell>
 struct WritePass {
   using neighbours = Neighbours<field::place>;
   using reads = Reads<>;
   using writes = Writes<>;
 
-  TeamSearch<Dim> search;
+  TeamSearch<Dim, in_cell> search;
   ClusterList list;
   ClusterMarks marks;
   const std::uint32_t* kept;
@@ -271,30 +276,41 @@ template <int Dim, class Device>
 struct TeamSearchArrays {
   Cells<Dim, Device> cells;
   typename Device::template Buffer<PlaceQuad> places;
-  TeamSearch<Dim> search;
+  CellReach<Dim> search;
 
   TeamSearchArrays(Device& on, const Particles<Device>& p, const Scene<Dim>& scene)
       : cells(fill_cells<Dim>(on, p, scene)) {
     const auto reach = static_cast<float>(scene.list_reach);
-    places.resize(p.count);
-    search = {{cells.table, scene.lattice, reach * reach}, places.data()};
-    on.for_each(p.count, PlacePass{p.record.data(), places.data()});
+    places.resize(p.with_copies());
+    search = {cells.table, scene.lattice, reach * reach};
+    on.for_each(p.with_copies(), PlacePass{p.record.data(), places.data()});
   }
 };
 
 /// Counts and writes the entries of every cluster, and its marks. Returns how many entries they are.
-template <int Dim, class Device>
-Index make_lists_by_teams(Device& on, Particles<Device>& p, const TeamSearch<Dim>& search, const ClusterMarks& marks,
-                          Index spare) {
+template <int Dim, int in_cell, class Device>
+Index make_lists_by_teams(Device& on, Particles<Device>& p, const TeamSearch<Dim, in_cell>& search,
+                          const ClusterMarks& marks, Index spare) {
   typename Device::template Buffer<Index> counts;
   typename Device::template Buffer<std::uint32_t> kept;
   counts.resize(p.clusters);
   kept.resize(std::size_t{p.clusters} * kept_words<Dim>);
-  on.for_each_team(p.clusters, CountPass<Dim>{search, p.list(), kept.data(), counts.data()});
+  on.for_each_team(p.clusters, CountPass<Dim, in_cell>{search, p.list(), kept.data(), counts.data()});
   const Index total = on.exclusive_scan(counts, p.list_begin);
   p.list_entries.resize_anew(std::size_t{total} + spare);
-  on.for_each_team(p.clusters, WritePass<Dim>{search, p.list(), marks, kept.data(), p.list_entries.data()});
+  on.for_each_team(p.clusters, WritePass<Dim, in_cell>{search, p.list(), marks, kept.data(), p.list_entries.data()});
   return total;
+}
+
+/// The same, among this rank's particles alone or with copies of other ranks'.
+template <int Dim, class Device>
+Index make_lists_by_teams(Device& on, Particles<Device>& p, const TeamSearchArrays<Dim, Device>& arrays,
+                          const ClusterMarks& marks, Index spare) {
+  const auto make = [&]<int in_cell>() {
+    const TeamSearch<Dim, in_cell> search{arrays.search, arrays.places.data()};
+    return make_lists_by_teams(on, p, search, marks, spare);
+  };
+  return arrays.cells.table.sections == 2 ? make.template operator()<2>() : make.template operator()<most_sections>();
 }
 
 }  // namespace thalweg::neighbours

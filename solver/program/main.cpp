@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "common/console.hpp"
 #include "common/error.hpp"
 #include "common/io/run_results.hpp"
+#include "common/one_rank.hpp"
 #include "common/signals.hpp"
 #include "solver/program/join_ranks.hpp"
 #include "solver/program/run.hpp"
@@ -66,8 +68,9 @@ int solver(int argc, char** argv) {
   app.add_option("--set", options.overrides,
                  "Change a key of the case, e.g. numerics.cfl=0.2 (numerics, model, output)");
   if (const auto status = thalweg::parse_command_line(app, argc, argv)) return *status;
-  const auto shared = thalweg::join_ranks();
+  auto shared = thalweg::join_ranks();
   if (shared == nullptr && ranks > 1) return thalweg::run_on_ranks(ranks, without_ranks(argc, argv));
+  if (shared == nullptr && ranks == 1 && options.backend == "cuda") shared = std::make_unique<thalweg::OneRank>();
   leads = shared != nullptr && shared->rank() == 0;
   options.ranks = shared.get();
   thalweg::start_console();

@@ -9,7 +9,10 @@ THALWEG_EXPORT thalweg::Simulation* thalweg_make_simulation(const thalweg::Simul
   return std::visit([&](const auto& scene) { return thalweg::make_on_cuda(scene, *input); }, input->scene);
 }
 
-/// Why no CUDA device can be used here, or an empty text.
+/// Takes one of this machine's devices, of which there are so many; ranks beyond their number share them.
+THALWEG_EXPORT int thalweg_choose_device(int place) { return thalweg::choose_cuda_device(place); }
+
+/// Why the CUDA device cannot be used here, or an empty text.
 THALWEG_EXPORT const char* thalweg_device_problem() {
   static const std::string problem = thalweg::cuda_problem();
   return problem.c_str();

@@ -124,7 +124,7 @@ double sorting_bytes(double largest_array) {
 }
 
 template <int Dim>
-GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles) {
+GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles, int ranks) {
   Particles<GpuSizes> none;
   double arrays = sizeof(Record) + sizeof(Place);
   double largest = sizeof(Record);
@@ -154,10 +154,15 @@ GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles) {
                           clusters * (neighbours::kept_words<Dim> * sizeof(std::uint32_t) + sizeof(Index) + 1) + n.all +
                           n.cells * 4 * sizeof(Index);
   const double making_lists = std::max(n.all * sorting_bytes(largest), building);
-  memory.needed = n.all * (arrays + shown.bytes) + lists + drift + lattices + making_lists;
+  memory.needed = n.all * (arrays + shown.bytes) + lists + drift + making_lists;
+  if (ranks > 1) {
+    memory.entries /= ranks;
+    memory.needed = std::max(memory.needed / ranks, n.all * arrays);
+  }
+  memory.needed += lattices;  // whole on every rank
   if (!scene.has_sediment || scene.viscosity != ViscosityTreatment::implicit) return memory;
   const double coefficients =
-      memory.entries * 17 / 16 * cluster_size * sizeof(GpuSizes::PairCoefficient) + n.all * sizeof(Vectors);
+      memory.entries * 17 / 16 * cluster_size * sizeof(GpuSizes::PairCoefficient) + n.all * sizeof(Vectors) / ranks;
   const bool needs_them = scene.bed_load.on || scene.seepage.mixture;  // Coupling::needs_stored
   (needs_them ? memory.needed : memory.coefficients) += coefficients;
   return memory;
@@ -165,12 +170,12 @@ GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles) {
 
 }  // namespace
 
-GpuMemory estimate_gpu_memory(const AnyScene& scene, const ParticleSet& particles) {
-  return std::visit([&](const auto& of) { return estimate(of, particles); }, scene);
+GpuMemory estimate_gpu_memory(const AnyScene& scene, const ParticleSet& particles, int ranks) {
+  return std::visit([&](const auto& of) { return estimate(of, particles, ranks); }, scene);
 }
 
-void require_gpu_memory(const AnyScene& scene, const ParticleSet& particles, double available) {
-  const GpuMemory memory = estimate_gpu_memory(scene, particles);
+void require_gpu_memory(const AnyScene& scene, const ParticleSet& particles, double available, int ranks) {
+  const GpuMemory memory = estimate_gpu_memory(scene, particles, ranks);
   const auto [spacing, dimension] = std::visit(
       [](const auto& of) {
         return std::pair{of.spacing, std::is_same_v<std::decay_t<decltype(of)>, Scene<3>> ? 3 : 2};
@@ -178,12 +183,11 @@ void require_gpu_memory(const AnyScene& scene, const ParticleSet& particles, dou
       scene);
   const auto number = static_cast<double>(particles.size());
   if (memory.needed > available) {
-    throw InputError(
-        fmt::format("--backend cuda: {:.3g} particles need {} on the GPU, which has {} free; fill the scene with a "
-                    "spacing of {} or "
-                    "more (numerics.spacing), or use --backend openmp",
-                    number, format_bytes(memory.needed), format_bytes(available),
-                    format_quantity(spacing_that_fits(spacing, memory.needed, available, dimension), "m")));
+    throw InputError(fmt::format(
+        "--backend cuda: {:.3g} particles need {} on {}, which has {} free; fill the scene with a spacing "
+        "of {} or more (numerics.spacing), or use --backend openmp",
+        number, format_bytes(memory.needed), ranks > 1 ? "each rank's GPU" : "the GPU", format_bytes(available),
+        format_quantity(spacing_that_fits(spacing, memory.needed, available, dimension), "m")));
   }
   const auto most = static_cast<double>(most_list_entries);
   if (memory.entries > most) {

@@ -11,11 +11,12 @@ struct GpuMemory {
   double coefficients = 0;  // more, if they are stored
   double entries = 0;       // of the neighbour lists [-]
 };
-GpuMemory estimate_gpu_memory(const AnyScene& scene, const ParticleSet& particles);
+/// Of each GPU where several ranks have one each. Each loads all particles once, before it keeps its share.
+GpuMemory estimate_gpu_memory(const AnyScene& scene, const ParticleSet& particles, int ranks = 1);
 
-/// Refuses a scene that a GPU with so many free bytes cannot hold: throws InputError that names the smallest spacing which
-/// fits.
-void require_gpu_memory(const AnyScene& scene, const ParticleSet& particles, double available);
+/// Refuses a scene that GPUs with so many free bytes each cannot hold: throws InputError that names the smallest spacing
+/// which fits.
+void require_gpu_memory(const AnyScene& scene, const ParticleSet& particles, double available, int ranks = 1);
 
 /// True if the coefficients fit into the free memory too, with a fifth of it to spare.
 bool coefficients_fit(const GpuMemory& memory, double available);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "common/error.hpp"
@@ -19,6 +20,7 @@ namespace {
 using Maker = Simulation* (*)(const SimulationInput*);
 using DeviceProblem = const char* (*)();
 using DeviceMemory = double (*)();
+using DeviceChoice = int (*)(int);
 
 struct Core {
   const char* instruction_set;
@@ -75,12 +77,12 @@ class Module {
 
 /// True if the pair coefficients of the viscous solve are to be stored: where there is room, or as the environment says,
 /// for measurements.
-bool stores_coefficients(const SimulationInput& input, double available) {
+bool stores_coefficients(const SimulationInput& input, double available, int ranks = 1) {
   const char* asked = getenv("THALWEG_PAIR_COEFFICIENTS");
   const std::string word = asked == nullptr ? "" : asked;
   if (word == "stored" || word == "computed") return word == "stored";
   if (!word.empty()) throw InputError("THALWEG_PAIR_COEFFICIENTS=" + word + ": write stored or computed, or unset it");
-  return coefficients_fit(estimate_gpu_memory(input.scene, *input.particles), available);
+  return coefficients_fit(estimate_gpu_memory(input.scene, *input.particles, ranks), available);
 }
 
 /// On the GPU with the core that was loaded for it.
@@ -92,13 +94,75 @@ std::unique_ptr<Simulation> make_with(const Module& core, const SimulationInput&
   return core.make(on_gpu);
 }
 
+constexpr const char* no_cuda_core =
+    "--backend cuda: this build has no CUDA core; install the CUDA Toolkit (12 or newer), then run "
+    "\"cmake --preset release\" and \"tools/build cuda\"; or use --backend openmp";
+
+/// A rank's GPU, before anything is made on it.
+struct GpuOfRank {
+  std::optional<Module> core;
+  bool is_found = false;  // whether it has memory enough or not
+  bool has_room = false;  // for the viscous pair coefficients
+  std::string problem;    // why it cannot be used
+};
+
+GpuOfRank find_gpu_of_rank(const SimulationInput& input) {
+  GpuOfRank gpu;
+  Ranks& ranks = *input.ranks;
+  try {
+    if (find_core("cuda").empty()) throw InputError(no_cuda_core);
+    gpu.core.emplace("cuda");
+    const int devices = gpu.core->function<DeviceChoice>("thalweg_choose_device")(ranks.place_on_this_machine());
+    gpu.problem = gpu.core->function<DeviceProblem>("thalweg_device_problem")();
+    if (!gpu.problem.empty()) {
+      gpu.problem = "--backend cuda: " + gpu.problem;
+      return gpu;
+    }
+    gpu.is_found = true;
+    const int share = (ranks.on_this_machine() + devices - 1) / devices;
+    const double available = gpu.core->function<DeviceMemory>("thalweg_device_memory")() / share;
+    require_gpu_memory(input.scene, *input.particles, available, ranks.size());
+    gpu.has_room = stores_coefficients(input, available, ranks.size());
+  } catch (const std::runtime_error& e) {
+    gpu.problem = e.what();
+  }
+  return gpu;
+}
+
+/// On a GPU for each rank; nullptr where a rank has none to be used and nobody insists. All ranks go the same way.
+std::unique_ptr<Simulation> make_on_gpus(const SimulationInput& input, bool insist) {
+  Ranks& ranks = *input.ranks;
+  const GpuOfRank gpu = find_gpu_of_rank(input);
+  Bytes mine;
+  append_to(mine, gpu.problem.data(), gpu.problem.size());
+  const auto n = static_cast<std::size_t>(ranks.size());
+  const std::vector<Bytes> problems = exchange_any(ranks, std::vector<Bytes>(n, mine));
+  const auto first = std::find_if(problems.begin(), problems.end(), [](const Bytes& p) { return !p.empty(); });
+  if (first != problems.end()) {
+    std::string problem(first->size(), ' ');
+    MessageReader(*first).read(problem.data(), problem.size());
+    if (insist) throw InputError(fmt::format("rank {}: {}", first - problems.begin(), problem));
+    std::uint8_t any_is_found = gpu.is_found ? 1 : 0;
+    ranks.largest(&any_is_found, 1);
+    if (any_is_found != 0) {
+      spdlog::warn("computing on CPU cores, because the GPU of rank {} cannot be used: {}", first - problems.begin(),
+                   problem);
+    }
+    return nullptr;
+  }
+  std::uint8_t lacks_room = gpu.has_room ? 0 : 1;
+  ranks.largest(&lacks_room, 1);
+  SimulationInput on_gpu = input;
+  on_gpu.stores_coefficients = lacks_room == 0;
+  return gpu.core->make(on_gpu);
+}
+
 /// On the GPU; nullptr where there is none to be used and nobody insists.
 std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insist) {
+  if (input.ranks != nullptr) return make_on_gpus(input, insist);
   if (find_core("cuda").empty()) {
     if (!insist) return nullptr;
-    throw InputError(
-        "--backend cuda: this build has no CUDA core; install the CUDA Toolkit (12 or newer), then run "
-        "\"cmake --preset release\" and \"tools/build cuda\"; or use --backend openmp");
+    throw InputError(no_cuda_core);
   }
   if (insist) {
     const Module core("cuda");

@@ -30,9 +30,7 @@ class SimulationOn final : public Simulation {
                const std::shared_ptr<Openings>& openings = nullptr,
                const std::shared_ptr<SurfaceBed>& surface_bed = nullptr, Ranks* ranks = nullptr)
       : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
-    if constexpr (OnDevice::is_host) {
-      if (ranks != nullptr) share_ = std::make_unique<Share<Dim, OnDevice>>(*ranks);
-    }
+    if (ranks != nullptr) share_ = std::make_unique<Share<Dim, OnDevice>>(*ranks);
     if (profile) timing_.wait_with([this] { on_.finish(); });
     load_particles(on_, p_, scene_, from);
     work_.motions = motions;
@@ -47,7 +45,7 @@ class SimulationOn final : public Simulation {
     if (scene_.may_rest) load_rest(work_, from);
     if (scene_.current.on) load_control(on_, work_, scene_, from);
     if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, from);
-    if constexpr (OnDevice::is_host) on_.shared = share_.get();  // up to here every rank has all particles
+    on_.shared = share_.get();  // up to here every rank has all particles
     const auto listed = from.doubles.find(checkpoint_array::listed_at);
     if (listed != from.doubles.end()) {
       restore_lists(on_, p_, scene_, listed->second);

@@ -14,10 +14,7 @@ namespace thalweg {
 namespace {
 
 /// Refuses what does not run on several ranks yet.
-void check_for_ranks(const AnyScene& scene, const std::string& backend) {
-  if (backend == "cuda") {
-    throw InputError("--backend cuda: several ranks compute on CPU cores so far; use --backend openmp, or one rank");
-  }
+void check_for_ranks(const AnyScene& scene) {
   const bool loads_a_bed = std::visit([](const auto& s) { return s.suspended_load.on && !s.surface_bed.on; }, scene);
   if (loads_a_bed) {
     throw InputError(
@@ -46,10 +43,9 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   input.openings = make_openings(of, particles.info.lattice_node);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;
   if (options.ranks != nullptr) {
-    check_for_ranks(input.scene, options.backend);
+    check_for_ranks(input.scene);
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());
     if (options.threads == 0) input.threads = std::max(1, cores / options.ranks->on_this_machine());
-    return make_simulation(input, "openmp", options.instruction_set);
   }
   return make_simulation(input, options.backend, options.instruction_set);
 }

@@ -55,6 +55,8 @@ count.write_text(str(runs))
 energy = 1.0 if cuda else 1.001
 if (fake / "cpu_differs").exists() and not cuda: energy = 2.0
 if (fake / "runs_differ").exists(): energy += runs * 1e-9
+if (fake / "ranks_differ").exists() and "--ranks" in arguments:
+    energy += int(arguments[arguments.index("--ranks") + 1]) * 1e-9
 (folder / "history.csv").write_text("time [s],kinetic_energy [J],potential_energy [J],water_mass [kg],sediment_mass [kg]\\n"
                                     f"0.1,{energy},5,1,0\\n")
 (folder / "checkpoint.vtp").write_text("state")
@@ -73,6 +75,7 @@ class GpuCheck(unittest.TestCase):
         self.addCleanup(subprocess.run, ["rm", "-r", str(self.folder)], check=True)
         self.fake, self.out, self.bundle = (self.folder / name for name in ("fake", "out", "bundle"))
         self.script(self.fake / "nvidia-smi", NVIDIA_SMI)
+        self.script(self.fake / "mpirun", "#!/bin/sh\nexit 9\n")
         self.script(self.bundle / "bin" / "thalweg-gencase", GENCASE)
         self.script(self.bundle / "bin" / "thalweg-solver", SOLVER)
         for program in ("cuda_test", "case_agreement_test"):
@@ -128,6 +131,16 @@ class GpuCheck(unittest.TestCase):
         models = [name for name in rows if name.startswith("model: ")]
         for word in ("states", "bed load", "current", "inlet", "surface bed", "mixture", "suspended", "pore pressure", "moving"):
             self.assertTrue(any(word in name for name in models), word)
+
+    def test_says_that_ranks_differ(self):
+        self.check("--only", "tests")
+        self.assertTrue(self.rows()["ranks: surface bed"]["passed"])
+        self.assertTrue(any("--ranks 3" in line for line in self.asked()))
+        self.say("ranks_differ")
+        self.check("--only", "tests", "--anew")
+        row = self.rows()["ranks: surface bed"]
+        self.assertFalse(row["passed"])
+        self.assertEqual(row["why"], "ranks_surface_bed_2 differs from one rank in history.csv")
 
     def test_notes_every_row_at_once_and_goes_on_where_it_ended(self):
         done = self.check("--only", "tests", "--budget", "130")

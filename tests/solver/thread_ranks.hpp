@@ -68,6 +68,7 @@ class ThreadRanks {
     [[nodiscard]] Traffic sent() const override { return {}; }
     [[nodiscard]] double waited() const override { return 0; }
     [[nodiscard]] int on_this_machine() const override { return all_.n_; }
+    [[nodiscard]] int place_on_this_machine() const override { return rank_; }
     [[noreturn]] void abandon() override { std::abort(); }
 
    private:

@@ -28,6 +28,9 @@ MODELS = [
     ("grains through openings", "models/openings-grains.toml", (), "5 ms"),
 ]
 
+# Of these, the ones that are run on several ranks too, which share the GPU.
+ON_RANKS = ("water in space", "three states in space", "surface bed")
+
 # Developed flows: (name, case, settings, time from which steps are counted, steps, quick).
 BENCHES = [
     ("flume 0.15 M", "cases/louvain3d", ('numerics.spacing="6.6 mm"',), "0.12 s", 200, True),
@@ -68,6 +71,10 @@ def rows(bundle, out):
                     lambda budget: run_tests(programs, budget, "case_agreement_test", "*")))
     for model in MODELS:
         made.append(Row("tests", f"model: {model[0]}", 60, lambda budget, model=model: run_model(programs, budget, *model)))
+    for model in MODELS:
+        if model[0] in ON_RANKS:
+            made.append(Row("tests", f"ranks: {model[0]}", 60,
+                            lambda budget, model=model: run_ranks(programs, budget, *model)))
     for check in ("memcheck", "initcheck", "racecheck"):
         for name, case, settings, until in (
                 ("dam break", "cases/dam_break", ('numerics.spacing="2 cm"',), "10 ms"),
@@ -130,6 +137,34 @@ def run_model(programs, budget, model, case, settings, until):
         a, b = float(gpu[key]), float(cpu[key])
         if abs(a - b) > tolerance * max(abs(a), abs(b)):
             return outcome(False, seconds, f"{column}: {a:.6g} on the GPU, {b:.6g} on the CPU")
+    for folder in found:
+        shutil.rmtree(folder)
+    return outcome(True, seconds)
+
+
+def run_ranks(programs, budget, model, case, settings, until):
+    """The same run on one, two and three ranks."""
+    name = f"ranks {model}"
+    if shutil.which("mpirun") is None:
+        return outcome(True, 0, "mpirun is not on this machine; skipped")
+    seconds = 0
+    found = []
+    for ranks in (1, 2, 3):
+        folder = programs.fill(f"{name} {ranks}", case, (*settings, *NO_COMPARE), budget.left())
+        if folder is None:
+            return outcome(False, seconds, "the scene was not filled: " + programs.last_lines(f"{name} {ranks}-fill"))
+        status, took = programs.solve(f"{name} {ranks}", folder, min(120, budget.left()), "--until", until, "--ranks", str(ranks))
+        seconds += took
+        said = programs.last_lines(f"{name} {ranks}")
+        if status != 0 and " MPI" in said:
+            return outcome(True, seconds, f"MPI does not run on this machine; skipped: {said}")
+        if status != 0:
+            return outcome(None if status == "timeout" else False, seconds, f"{ranks} ranks: {said}")
+        found.append(folder)
+    for folder in found[1:]:
+        for file in ("history.csv", "checkpoint.vtp"):
+            if digest(found[0] / file) != digest(folder / file):
+                return outcome(False, seconds, f"{folder.name} differs from one rank in {file}")
     for folder in found:
         shutil.rmtree(folder)
     return outcome(True, seconds)

@@ -25,6 +25,7 @@ class MpiRanks final : public Ranks {
     MPI_Comm here = MPI_COMM_NULL;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here);
     MPI_Comm_size(here, &here_);
+    MPI_Comm_rank(here, &place_here_);
     MPI_Comm_free(&here);
   }
   ~MpiRanks() override { MPI_Finalize(); }
@@ -75,6 +76,7 @@ class MpiRanks final : public Ranks {
   [[nodiscard]] Traffic sent() const override { return sent_; }
   [[nodiscard]] double waited() const override { return waited_; }
   [[nodiscard]] int on_this_machine() const override { return here_; }
+  [[nodiscard]] int place_on_this_machine() const override { return place_here_; }
 
   [[noreturn]] void abandon() override {
     MPI_Abort(MPI_COMM_WORLD, 1);
@@ -128,6 +130,7 @@ class MpiRanks final : public Ranks {
   int rank_ = 0;
   int size_ = 1;
   int here_ = 1;
+  int place_here_ = 0;
   double waited_ = 0;  // [s]
   Traffic sent_;
   std::vector<MPI_Request> requests_;

@@ -233,7 +233,13 @@ void begin_viscous_solve(Device& on, Particles<Device>& p, const Scene<Dim>& sce
   begin_viscous_solve_as<true>(on, p, scene, system, state, coupling);
 }
 
-/// At most so many iterations of the solve begun; on the host it stops when the solve is over.
+/// True where the host follows every iteration: it is the device, or several ranks add up their sums.
+template <class Device>
+bool waits_for_device(const Device& on) {
+  return Device::is_host || on.shared != nullptr;
+}
+
+/// At most so many iterations of the solve begun; a host that follows them stops when the solve is over.
 template <bool stored, int Dim, class Device, class Coupling>
 void iterate_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ViscousSystem<Device>& system,
                               StepState* state, int iterations, const Coupling& coupling) {
@@ -249,9 +255,7 @@ void iterate_viscous_solve_as(Device& on, Particles<Device>& p, const Scene<Dim>
   const auto vector = iteration_vector<stored>(p, system);
   const int* const outer = on.skip_unless(&state->viscous.running);
   for (int n = 0; n < iterations; ++n) {
-    if constexpr (Device::is_host) {
-      if (state->viscous.running == 0) break;
-    }
+    if (waits_for_device(on) && on.read(&state->viscous.running) == 0) break;
     on.template sweep_then<Dim>(
         list, range, vector.from, scene.metric(),
         ViscousProductSweep<Dim, stored, Kept, Row, Coupling>{records, vector, system.coefficient.data(), rows,

@@ -90,8 +90,7 @@ struct ViscosityModel {
   /// the launches are often the same.
   template <class C>
   static int iterations_ahead(C& step) {
-    if constexpr (C::OnDevice::is_host) return step.scene.viscous_iterations;
-    return iterations_handed_over(step);
+    return waits_for_device(step.on) ? step.scene.viscous_iterations : iterations_handed_over(step);
   }
   template <class C>
   static int iterations_handed_over(C& step) {

@@ -199,7 +199,9 @@ TYPED_TEST(PopulationOn, AHaloCarriesTheDeclaredFields) {
   const HostBuffer<Index> known = indices;
   here.on.upload(std::move(indices), chosen);
   const std::vector<const Field*> fields{&field::place, &field::flow, &field::mass};
-  unpack(there.on, there.p, there.scene, fields, pack(here.on, here.p, here.scene, fields, chosen), chosen);
+  std::vector<std::byte> message(known.size() * halo_bytes(here.p, here.scene, fields, {}));
+  pack(here.on, here.p, here.scene, fields, chosen, {}, message.data());
+  unpack(there.on, there.p, there.scene, fields, message.data(), chosen, {});
   const auto a = here.on.download(here.p.record);
   const auto b = there.on.download(there.p.record);
   for (const Index i : known) {

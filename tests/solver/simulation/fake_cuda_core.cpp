@@ -1,5 +1,6 @@
 // A core module that stands for a GPU in what make_simulation asks before it makes anything. The environment says what is
-// wrong with it: FAKE_GPU_MEMORY (free bytes), FAKE_GPU_PROBLEM (why it cannot be used).
+// wrong with it: FAKE_GPU_MEMORY (free bytes), FAKE_GPU_PROBLEM (why it cannot be used), FAKE_GPU_OF (the rank whose GPU that
+// is; without it all ranks').
 #include <cstdlib>
 
 #include "common/error.hpp"
@@ -11,9 +12,19 @@ THALWEG_EXPORT thalweg::Simulation* thalweg_make_simulation(const thalweg::Simul
   throw thalweg::RunError("CUDA, while allocating memory: out of memory");
 }
 
+namespace {
+thread_local int chosen = 0;  // by this rank, which is a thread
+}
+
+THALWEG_EXPORT int thalweg_choose_device(int place) {
+  chosen = place;
+  return 1;
+}
+
 THALWEG_EXPORT const char* thalweg_device_problem() {
   const char* problem = getenv("FAKE_GPU_PROBLEM");
-  return problem == nullptr ? "" : problem;
+  const char* of = getenv("FAKE_GPU_OF");
+  return problem == nullptr || (of != nullptr && atoi(of) != chosen) ? "" : problem;
 }
 
 THALWEG_EXPORT double thalweg_device_memory() {

@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "solver/simulation/input.hpp"
 #include "tests/solver/lattice_scene.hpp"
+#include "tests/solver/thread_ranks.hpp"
 
 namespace thalweg {
 namespace {
@@ -23,6 +24,7 @@ class Fallback : public testing::Test {
     spdlog::set_pattern("%v");
     unsetenv("FAKE_GPU_MEMORY");
     unsetenv("FAKE_GPU_PROBLEM");
+    unsetenv("FAKE_GPU_OF");
   }
   ~Fallback() override { spdlog::set_default_logger(before_); }
 
@@ -58,6 +60,34 @@ TEST_F(Fallback, TakesCpuCoresInSilenceWhereThereIsNoGpu) {
   EXPECT_EQ(make("auto")->facts().device.substr(0, 6), "OpenMP");
   EXPECT_EQ(said_.str(), "");
   EXPECT_THROW(make("cuda"), InputError);
+}
+
+TEST_F(Fallback, OfAllRanksGoesTheSameWay) {
+  setenv("FAKE_GPU_PROBLEM", "no NVIDIA GPU is visible", 1);
+  setenv("FAKE_GPU_OF", "1", 1);
+  const auto make_on = [&](Ranks& ranks, const std::string& backend) {
+    return make_simulation({.scene = scene_, .particles = &particles_, .threads = 1, .ranks = &ranks}, backend, "auto");
+  };
+  test::ThreadRanks(2).run([&](Ranks& mine) {
+    EXPECT_EQ(make_on(mine, "auto")->facts().device.substr(0, 6), "OpenMP");
+    try {
+      make_on(mine, "cuda");
+      ADD_FAILURE() << "rank 1 has no GPU";
+    } catch (const InputError& e) {
+      EXPECT_STREQ(e.what(), "rank 1: --backend cuda: no NVIDIA GPU is visible");
+    }
+  });
+  EXPECT_NE(said_.str().find("the GPU of rank 1 cannot be used"), std::string::npos) << said_.str();
+}
+
+TEST_F(Fallback, OfRanksIsSilentWhereNoneHasAGpu) {
+  setenv("FAKE_GPU_PROBLEM", "no NVIDIA GPU is visible", 1);
+  test::ThreadRanks(2).run([&](Ranks& mine) {
+    const auto simulation =
+        make_simulation({.scene = scene_, .particles = &particles_, .threads = 1, .ranks = &mine}, "auto", "auto");
+    EXPECT_EQ(simulation->facts().device.substr(0, 6), "OpenMP");
+  });
+  EXPECT_EQ(said_.str(), "");
 }
 
 }  // namespace
