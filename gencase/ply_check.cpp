@@ -116,20 +116,28 @@ Header read_header(const std::string& bytes) {
   header.end = std::min(bytes.size(), bytes.find('\n', end + 1) + 1);
   std::istringstream lines(bytes.substr(0, end));
   std::set<std::string> has;  // "vertex x", "face" with a list
+  std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
     while (!line.empty() && line.back() == '\r') line.pop_back();
     const std::vector<std::string> words = words_of(line);
-    if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") continue;
-    if (words[0] == "format" && words.size() == 3)
+    // CGAL takes the format from the second line, whatever stands there.
+    ++number;
+    if (number == 1 && words == std::vector<std::string>{"ply"}) continue;
+    if (number == 2 && words.size() == 3 && words[0] == "format") {
       header.format = format_of(words[1], line);
-    else if (words[0] == "element" && words.size() == 3)
+      continue;
+    }
+    if (number == 2) throw InputError("has a header without format in its second line; export it again");
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+    if (words[0] == "element" && words.size() == 3)
       header.elements.push_back(element_of(words, line));
     else if (words[0] == "property" && !header.elements.empty())
       header.elements.back().properties.push_back(property_of(words, line, header.elements.back().name, has));
     else
       damaged(line);
   }
-  if (header.format == Format::none) throw InputError("has a header without format; export it again");
+  if (header.format == Format::none)
+    throw InputError("has a header without format in its second line; export it again");
   if (!has.contains("vertex x") || !has.contains("vertex y") || !has.contains("vertex z"))
     throw InputError("has points without x, y or z; export it again");
   if (!has.contains("face")) throw InputError("holds points and no faces; export the surface, not a cloud of points");
