@@ -29,8 +29,9 @@ struct SimulationInput {
 
 /// Makes a simulation on the device `backend` names, "cuda" or "openmp", or with "auto" on a GPU if there is one that can
 /// be used and holds the scene (a line says so where it does not); on CPU cores with the widest instruction set this
-/// processor has, or the one named ("avx512", "avx2", "baseline"). Several ranks all take a GPU each, or all CPU cores. Pair sums in double are computed on CPU cores only. Throws InputError for a device that is not
-/// there, that does not have the precision, or that is too small for the scene.
+/// processor has, or the one named ("avx512", "avx2", "baseline"). Several ranks all take a GPU each, or all CPU cores.
+/// Pair sums in double are computed on CPU cores only. Throws InputError for a device that is not there, that does not have
+/// the precision, or that is too small for the scene.
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const std::string& backend,
                                             const std::string& instruction_set);
 
