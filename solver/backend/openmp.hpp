@@ -3,8 +3,8 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -76,12 +76,12 @@ struct OpenMp : SharedOnHost {
   /// Copies a buffer's numbers into a message, and back.
   template <class T>
   static void download_to(const Buffer<T>& buffer, std::byte* message) {
-    std::memcpy(message, buffer.data(), buffer.size() * sizeof(T));
+    std::ranges::copy(std::as_bytes(std::span(buffer)), message);
   }
   template <class T>
   static void upload_from(const std::byte* message, std::size_t n, Buffer<T>& to) {
     to.resize(n);
-    std::memcpy(static_cast<void*>(to.data()), message, n * sizeof(T));
+    std::ranges::copy(std::span(message, n * sizeof(T)), std::as_writable_bytes(std::span(to)).begin());
   }
 
   /// Writes one number on the device.

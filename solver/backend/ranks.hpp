@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -92,7 +94,7 @@ T total_of(Ranks& ranks, const BlockTree<T, Combine>& mine, const T& start, cons
   };
   const std::vector<Node>& own = mine.nodes();
   Part part{static_cast<std::int64_t>(own.size()), {}};
-  std::memcpy(part.nodes, static_cast<const void*>(own.data()), std::min(usual, own.size()) * sizeof(Node));
+  std::ranges::copy(std::as_bytes(std::span(own).first(std::min(usual, own.size()))), part.nodes);
   const std::vector<Part> parts = gather_from(ranks, part);
   std::size_t most = 0;
   for (const Part& p : parts) most = std::max(most, static_cast<std::size_t>(p.count));

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -46,8 +47,8 @@ struct SharedOnHost {
     const std::size_t words = now.size() * (sizeof(T) / sizeof(std::int64_t));
     std::vector<std::uint64_t> old(words);
     std::vector<std::int64_t> change(words);
-    std::memcpy(old.data(), before.data(), words * sizeof(std::int64_t));
-    std::memcpy(change.data(), now.data(), words * sizeof(std::int64_t));
+    std::ranges::copy(std::as_bytes(std::span(before)), std::as_writable_bytes(std::span(old)).begin());
+    std::ranges::copy(std::as_bytes(std::span(now)), std::as_writable_bytes(std::span(change)).begin());
     for (std::size_t w = 0; w < words; ++w) {  // differences of their bits, which wrap around
       change[w] = static_cast<std::int64_t>(static_cast<std::uint64_t>(change[w]) - old[w]);
     }
@@ -55,7 +56,7 @@ struct SharedOnHost {
     for (std::size_t w = 0; w < words; ++w) {
       change[w] = static_cast<std::int64_t>(static_cast<std::uint64_t>(change[w]) + old[w]);
     }
-    std::memcpy(static_cast<void*>(now.data()), change.data(), words * sizeof(std::int64_t));
+    std::ranges::copy(std::as_bytes(std::span(change)), std::as_writable_bytes(std::span(now)).begin());
     before = now;
   }
 };
