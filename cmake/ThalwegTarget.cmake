@@ -62,13 +62,17 @@ add_dependencies(thalweg_build_version thalweg_ask_git)
 
 # thalweg_test(NAME LABEL label SOURCES … [LINK …]): a GoogleTest program, every test of it registered with CTest under
 # the label unit, backend, pipeline, stability or validation. FIXTURE names what another test has to set up before.
-# TIMEOUT ends a test that hangs: at least five times what it takes, because machines that are shared are slow at times.
+# Target tests_LABEL builds all of a label. TIMEOUT ends a test that hangs: at least five times what it takes, because machines that are shared are slow at times.
 function(thalweg_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;FIXTURE" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 900)
   endif()
   add_executable(${name} ${ARG_SOURCES})
+  if(NOT TARGET tests_${ARG_LABEL})
+    add_custom_target(tests_${ARG_LABEL})
+  endif()
+  add_dependencies(tests_${ARG_LABEL} ${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main GTest::gmock)
   thalweg_settings(${name})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
