@@ -20,6 +20,9 @@ std::filesystem::path find_core(const std::string& name);
 /// Another module of the programs' own, in the same places; empty if it is not there.
 std::filesystem::path find_module(const std::string& file);
 
+/// The module that joins the ranks of a run; builds without MPI have none.
+constexpr const char* ranks_module = "thalweg_ranks_mpi.so";
+
 /// The names of all core modules that are installed, sorted: "cuda", "openmp_avx2", "openmp_avx2_double" …
 std::vector<std::string> installed_cores();
 

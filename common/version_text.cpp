@@ -24,7 +24,9 @@ std::string version_text(const std::string& program) {
   text += fmt::format("CPU cores {}\n", cpu.empty() ? "none installed" : fmt::format("{}", fmt::join(cpu, ", ")));
   text += fmt::format("CUDA core {}\n", cuda ? "installed" : "not installed");
   text += fmt::format("OpenFOAM  {}\n", on_path("blockMesh") ? "found" : "not found; thalweg foam needs it");
-  text += "MPI       none; one machine runs a case\n";
+  text += fmt::format("MPI       {}\n", find_module(ranks_module).empty() ? "not in this build; --ranks needs it"
+                                        : on_path("mpirun")               ? "found"
+                                                                          : "no mpirun found; --ranks needs it");
   return text;
 }
 

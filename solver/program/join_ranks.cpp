@@ -37,7 +37,6 @@ bool is_one_of_several() {
 namespace fs = std::filesystem;
 
 constexpr const char* status_file = "THALWEG_STATUS_FILE";
-constexpr const char* mpi_module = "thalweg_ranks_mpi.so";
 constexpr const char* cure =
     "install OpenMPI (Debian: apt install libopenmpi-dev openmpi-bin) and build again, or run on one rank";
 
@@ -45,7 +44,7 @@ constexpr const char* cure =
 
 std::unique_ptr<Ranks> join_ranks() {
   if (!is_one_of_several()) return nullptr;
-  const auto file = find_module(mpi_module);
+  const auto file = find_module(ranks_module);
   if (file.empty()) throw RunError(std::string("this build of Thalweg has no MPI; ") + cure);
   // Global: OpenMPI loads components of its own, which look for its symbols.
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
@@ -56,7 +55,7 @@ std::unique_ptr<Ranks> join_ranks() {
 }
 
 int run_on_ranks(int ranks, const std::vector<std::string>& arguments) {
-  if (find_module(mpi_module).empty()) {
+  if (find_module(ranks_module).empty()) {
     throw InputError(std::string("--ranks: this build of Thalweg has no MPI; ") + cure);
   }
   const fs::path told = fs::temp_directory_path() / ("thalweg-status-" + std::to_string(getpid()));

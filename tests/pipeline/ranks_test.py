@@ -97,6 +97,10 @@ class Ranks(unittest.TestCase):
         self.assertTrue((self.run / "checkpoint.vtp").exists())
         self.ends(self.solver("--restart", "latest", "--until", f"{case.series(self.run)[-1][0] + 0.06} s"))
 
+    def test_the_programs_say_that_they_found_mpi(self):
+        told = case.call([str(thalweg), "--version"]).stdout.splitlines()
+        self.assertIn("MPI       found", told)
+
     def test_what_does_not_run_on_several_ranks_is_one_line(self):
         self.fill(SETTINGS)
         os.environ["CUDA_VISIBLE_DEVICES"] = ""
