@@ -80,19 +80,22 @@ void take_node(const Case& scene, const std::vector<PlacedShape>& shapes, const 
     if (found.walls++ == 0) found.wall = place;
     return;
   }
-  const bool past = along > opening.length + rounding && along < 4 * opening.length;
+  // Water that ends within this reach belongs to a shape that fills the longer zone of a coarser spacing.
+  const double reach = 4 * opening.length;
+  const bool past = along > opening.length + rounding && along < 2 * reach;
   const bool beside = std::abs(in.z()) <= 0.5 * opening.opening->extent_across(opening.in_space ? 3 : 2);
-  const bool crosses = along > rounding && along < 4 * opening.length;
+  const bool crosses = along > rounding && along < reach;
   if (crosses && beside && opening.holds_water() && shapes[label - 1U].shape->role == ShapeRole::sediment) {
     if (found.bare++ == 0) found.sediment = place;
     return;
   }
   if (!opening.is_in_section(in, -rounding)) return;
-  if (opening.enters) {
+  const bool ends = !opening.enters && past && shapes[label - 1U].shape->role == ShapeRole::water;
+  if (ends && along >= reach) {
+    if (found.behind++ == 0) found.water = place;
+  } else if (opening.enters || ends) {
     label = nothing;
     ++found.cleared;
-  } else if (past && shapes[label - 1U].shape->role == ShapeRole::water) {
-    if (found.behind++ == 0) found.water = place;
   }
 }
 
@@ -144,9 +147,9 @@ void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, F
                       placed_text(scene, found.wall)));
     }
     if (found.behind > 0) {
-      throw InputError(fmt::format(
-          "{}: {}: water stands behind its zone of {}, the first at {}; let the shape end there", scene.file.string(),
-          opening.name(), format_quantity(opening.length, "m"), placed_text(scene, found.water)));
+      throw InputError(fmt::format("{}: {}: water stands behind its zone of {}, for one at {}; let the shape end there",
+                                   scene.file.string(), opening.name(), format_quantity(opening.length, "m"),
+                                   placed_text(scene, found.water)));
     }
     if (found.bare > 0) {
       throw InputError(fmt::format(
@@ -155,8 +158,9 @@ void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, F
           scene.file.string(), opening.name(), placed_text(scene, found.sediment)));
     }
     if (found.cleared > 0) {
-      notes.say(fmt::format("{}: {} particles are taken out of its zone of {}, which the solver fills", opening.name(),
-                            found.cleared, format_quantity(opening.length, "m")));
+      notes.say(fmt::format("{}: {} particles are taken out {} its zone of {}{}", opening.name(), found.cleared,
+                            opening.enters ? "of" : "behind", format_quantity(opening.length, "m"),
+                            opening.enters ? ", which the solver fills" : ""));
     }
   }
   count_kept(shapes, filling);

@@ -78,11 +78,20 @@ TEST(Openings, RefuseAWallInTheWay) {
             "scene.toml: inlet.west: 6 wall particles stand in its opening or its zone of");
 }
 
-TEST(Openings, RefuseWaterBehindATailWater) {
+// A case that fills its zone at one spacing fills it at half of it, too, where the zone is shorter.
+TEST(Openings, TakeOutWaterThatEndsBehindATailWater) {
+  for (const double to : {0.45, 0.5, 0.6}) {
+    Case scene = channel();
+    scene.shapes[1].to.x() = to;
+    EXPECT_EQ(count(generate(scene).particles, ParticleType::water), 450) << to;
+  }
+}
+
+TEST(Openings, RefuseWaterThatGoesOnBehindATailWater) {
   Case scene = channel();
-  scene.shapes[1].to.x() = 0.5;
+  for (const std::size_t shape : {0U, 1U}) scene.shapes[shape].to.x() = 0.8;
   EXPECT_EQ(refusal(scene),
-            "scene.toml: outlet.east: water stands behind its zone of 5.45 cm, the first at x = 45.5 cm, z = 5 mm; let "
+            "scene.toml: outlet.east: water stands behind its zone of 5.45 cm, for one at x = 62.5 cm, z = 5 mm; let "
             "the shape end there");
 }
 
