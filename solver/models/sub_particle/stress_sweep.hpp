@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "physics/water/sub_particle_stress.hpp"
 #include "solver/models/sub_particle/arrays.hpp"
 #include "solver/passes/sweep.hpp"
@@ -88,7 +90,8 @@ struct StressForceSweep {
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     const L weight = lane_select(is_water(b), b.volume * g.F, L(0.0F));
-    if constexpr (&part == &field::stress_diagonal) {
+    // GCC's sanitizer of undefined behaviour makes a comparison of the addresses no constant.
+    if constexpr (std::is_same_v<Fields<part>, Fields<field::stress_diagonal>>) {
       for (int k = 0; k < Dim; ++k) sum.force[k] += weight * (a.work[k] + b.work[k]) * g.r[k];
     } else {
       int m = 0;
