@@ -62,7 +62,8 @@ add_dependencies(thalweg_build_version thalweg_ask_git)
 
 # thalweg_test(NAME LABEL label SOURCES … [LINK …]): a GoogleTest program, every test of it registered with CTest under
 # the label unit, backend, pipeline, stability or validation. FIXTURE names what another test has to set up before.
-# Target tests_LABEL builds all of a label. TIMEOUT ends a test that hangs: at least five times what it takes, because machines that are shared are slow at times.
+# Target tests_LABEL builds all of a label. TIMEOUT ends a test that hangs: at least five times what it takes, because
+# machines that are shared are slow at times.
 function(thalweg_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;FIXTURE" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)

@@ -146,7 +146,7 @@ void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, F
                       scene.file.string(), opening.name(), found.walls, format_quantity(opening.length, "m"),
                       placed_text(scene, found.wall)));
     }
-    if (found.behind > 0) {
+    if (found.behind > 0 && found.cleared > 0) {  // one water; behind a gap it is another
       throw InputError(fmt::format("{}: {}: water stands behind its zone of {}, for one at {}; let the shape end there",
                                    scene.file.string(), opening.name(), format_quantity(opening.length, "m"),
                                    placed_text(scene, found.water)));

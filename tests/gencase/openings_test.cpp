@@ -95,6 +95,13 @@ TEST(Openings, RefuseWaterThatGoesOnBehindATailWater) {
             "the shape end there");
 }
 
+TEST(Openings, LeaveOtherWaterBehindAnOutletAlone) {
+  Case scene = channel();
+  scene.shapes[0].to.x() = 0.8;
+  add_box(scene, "pool", ShapeRole::water, Vec3(0.65, 0, 0), Vec3(0.75, 0, 0.1));
+  EXPECT_EQ(count(generate(scene).particles, ParticleType::water), 450 + 100);
+}
+
 TEST(Openings, RefuseABedThatGoesOnPastAPlane) {
   Case scene = channel();
   add_sand(scene);

@@ -90,7 +90,7 @@ struct StressForceSweep {
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     const L weight = lane_select(is_water(b), b.volume * g.F, L(0.0F));
-    // GCC's sanitizer of undefined behaviour makes a comparison of the addresses no constant.
+    // Types, not addresses: GCC compares no addresses at compile time under its sanitizer of undefined behaviour.
     if constexpr (std::is_same_v<Fields<part>, Fields<field::stress_diagonal>>) {
       for (int k = 0; k < Dim; ++k) sum.force[k] += weight * (a.work[k] + b.work[k]) * g.r[k];
     } else {
