@@ -4,26 +4,12 @@
 #include <thread>
 
 #include "case/models/surface_bed.hpp"
-#include "common/error.hpp"
 #include "solver/models/moving_walls/make_motions.hpp"
 #include "solver/models/openings/make_openings.hpp"
 #include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "solver/simulation/make_scene.hpp"
 
 namespace thalweg {
-namespace {
-
-/// Refuses what does not run on several ranks yet.
-void check_for_ranks(const AnyScene& scene) {
-  const bool loads_a_bed = std::visit([](const auto& s) { return s.suspended_load.on && !s.surface_bed.on; }, scene);
-  if (loads_a_bed) {
-    throw InputError(
-        "water that carries grains over a bed of particles runs on one rank so far; leave --ranks out, or choose "
-        "model.sediment = \"surface\"");
-  }
-}
-
-}  // namespace
 
 std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles,
                                              const StartOptions& options) {
@@ -43,7 +29,6 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   input.openings = make_openings(of, particles.info.lattice_node);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;
   if (options.ranks != nullptr) {
-    check_for_ranks(input.scene);
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());
     if (options.threads == 0) input.threads = std::max(1, cores / options.ranks->on_this_machine());
   }

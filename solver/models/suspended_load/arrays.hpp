@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "solver/state/arrays.hpp"
 #include "solver/state/particles.hpp"
 
@@ -9,11 +11,15 @@ namespace field {
 inline constexpr Field grains{"Grains"};
 inline constexpr Field suspended{"Suspended"};
 inline constexpr Field receiver{"Receiver"};
+inline constexpr Field own_id{"OwnId"};
 /// Meanings of the work quad, of water: concentration [-] and diffusivity [m^2/s] of its grains, in the first two
 /// directions of the scene; viscosity that the grains add [Pa s].
 inline constexpr Field load_of_water{"LoadOfWater", quad_work};
 inline constexpr Field added_viscosity{"AddedViscosity", quad_work};
 }  // namespace field
+
+/// The receiver of particles that give no grains away: the id of none.
+inline constexpr std::int64_t no_particle = -1;
 
 /// Numbers that follow from the grains of a particle and what is around it.
 struct Suspended {
@@ -31,11 +37,19 @@ struct SuspendedLoadArrays {
   /// Volume of grains [m^dim] that water carries; of a bed particle, that it has more than a packed one.
   typename Device::template Buffer<double> grains;
   typename Device::template Buffer<Suspended> suspended;
-  typename Device::template Buffer<Index> receiver;  // where grains go that make a new particle of the bed
+  /// Over a bed of particles: the id of each particle of the fluid, and of those that give grains away the id of the water
+  /// that gets them and becomes a particle of the bed.
+  typename Device::template Buffer<std::int64_t> own_id;
+  typename Device::template Buffer<std::int64_t> receiver;
 
   template <class Scene, class Visitor>
-  void describe(const Scene&, Visitor& v) {
-    v.array(field::grains, grains, sorted | checkpointed, 0.0);
+  void describe(const Scene& scene, Visitor& v) {
+    const bool bed_of_particles = !scene.surface_bed.on;
+    v.array(field::grains, grains, bed_of_particles ? sorted | checkpointed | halo : sorted | checkpointed, 0.0);
+    if (bed_of_particles) {
+      v.array(field::own_id, own_id, halo, no_particle);
+      v.array(field::receiver, receiver, halo, no_particle);
+    }
     v.array(field::suspended, suspended, sorted | checkpointed | halo, Suspended{});
     v.shown("Concentration", suspended, &Suspended::concentration, {.fluid_only = true});
   }

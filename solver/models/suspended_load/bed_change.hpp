@@ -30,22 +30,23 @@ HOST_DEVICE inline double packed_grains(const Scene<Dim>& scene, const Record& r
 }
 
 /// Particle pass: the water that each particle of the bed with too many grains gives them to, the one nearest to it; and
-/// water that is packed, which keeps its own. list.none of all others.
+/// water that is packed, which keeps its own. By their ids, as the giver and the receiver may be on two ranks.
 template <int Dim>
 struct ReceiverPass {
-  using neighbours = Neighbours<field::place, field::matter>;
-  using reads = Reads<field::place, field::matter, field::mass, field::grains>;
+  using neighbours = Neighbours<field::place, field::matter, field::own_id>;
+  using reads = Reads<field::place, field::matter, field::mass, field::grains, field::own_id>;
   using writes = Writes<field::receiver>;
 
   const Record* records;
   const float* mass;
   const double* grains;
-  Index* receiver;
+  const std::int64_t* own_id;
+  std::int64_t* receiver;
   ClusterList list;
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
-    receiver[i] = list.none;
+    receiver[i] = no_particle;
     const Record& r = records[i];
     if (r.volume == 0) return;
     const double packed = packed_grains(scene, r, mass[i]);
@@ -61,7 +62,7 @@ struct ReceiverPass {
       if (!water && !is_water(records[j])) continue;
       const Vec<Dim, float> to = scene.separation(records[j].place, r.place);
       const float r2 = dot(to, to);
-      if (r2 < nearest2) nearest2 = r2, receiver[i] = water ? i : j;
+      if (r2 < nearest2) nearest2 = r2, receiver[i] = own_id[water ? i : j];
     }
   }
 };
@@ -71,7 +72,7 @@ struct ReceiverPass {
 template <int Dim>
 struct BecomeBedPass {
   using neighbours = Neighbours<field::receiver, field::grains>;
-  using reads = Reads<field::matter, field::mass, field::receiver, field::grains>;
+  using reads = Reads<field::matter, field::mass, field::receiver, field::grains, field::own_id>;
   using writes = Writes<field::place, field::matter, field::mass, field::type, field::grains, field::sediment,
                         field::bed, field::drift>;
 
@@ -79,7 +80,8 @@ struct BecomeBedPass {
   float* mass;
   std::uint8_t* type;
   double* grains;
-  const Index* receiver;
+  const std::int64_t* own_id;
+  const std::int64_t* receiver;
   Sediment* sediment;
   BedSurface* bed;
   Drift* drift;
@@ -90,11 +92,11 @@ struct BecomeBedPass {
     Record& r = records[i];
     if (!is_water(r) || r.volume == 0) return;
     double received = 0;
-    bool becomes_bed = receiver[i] == i;
+    bool becomes_bed = receiver[i] == own_id[i];
     const Index cluster = list.cluster_of(i);
     for (Index e = list.begin[cluster]; e < list.begin[cluster + 1]; ++e) {
       const Index j = list.entries[e];
-      if (j == list.none || j >= list.fluid_count || j == i || receiver[j] != i) continue;
+      if (j == list.none || j == i || receiver[j] != own_id[i]) continue;
       received += grains[j];
       becomes_bed = true;
     }
@@ -115,21 +117,21 @@ struct BecomeBedPass {
 /// the few that are left.
 template <int Dim>
 struct LeaveBedPass {
-  using reads = Reads<field::place, field::matter, field::mass, field::receiver, field::grains>;
+  using reads = Reads<field::place, field::matter, field::mass, field::receiver, field::grains, field::own_id>;
   using writes = Writes<field::matter, field::mass, field::type, field::grains>;
 
   Record* records;
   float* mass;
   std::uint8_t* type;
   double* grains;
-  const Index* receiver;
-  Index none;
+  const std::int64_t* own_id;
+  const std::int64_t* receiver;
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
     if (!is_sediment(r) || r.volume == 0) return;
-    if (receiver[i] != none && receiver[i] != i) grains[i] = 0;
+    if (receiver[i] != no_particle && receiver[i] != own_id[i]) grains[i] = 0;
     const double packed = packed_grains(scene, r, mass[i]);
     const double left = grains[i] + packed;
     if (left > bed_change::least_left * packed) return;
@@ -146,10 +148,15 @@ struct LeaveBedPass {
 /// Turns water into bed and bed into water. The lists are old, and have to be made anew next.
 template <int Dim, class Device>
 void change_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-  p.receiver.resize(p.count);
+  on.fill(p.own_id, p.with_copies(), no_particle);
+  on.fill(p.receiver, p.with_copies(), no_particle);  // of walls too
+  const std::int64_t* ids = p.id.data();
+  std::int64_t* own_id = p.own_id.data();
+  on.for_each(p.fluid_count,
+              declare<Reads<field::id>, Writes<field::own_id>>([=] HOST_DEVICE(Index i) { own_id[i] = ids[i]; }));
   const ClusterList list = p.list();
   using Receive = ReceiverPass<Dim>;
-  const Receive receive{p.record.data(), p.mass.data(), p.grains.data(), p.receiver.data(), list, scene};
+  const Receive receive{p.record.data(), p.mass.data(), p.grains.data(), own_id, p.receiver.data(), list, scene};
   on.for_each(p.fluid_count, declare<typename Receive::neighbours, typename Receive::reads, typename Receive::writes>(
                                  [=] HOST_DEVICE(Index i) { receive(i); }));
   using Become = BecomeBedPass<Dim>;
@@ -158,6 +165,7 @@ void change_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
                       p.mass.data(),
                       p.type.data(),
                       p.grains.data(),
+                      own_id,
                       p.receiver.data(),
                       p.sediment.data(),
                       p.bed.data(),
@@ -166,8 +174,11 @@ void change_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
                       scene};
   on.for_each(p.fluid_count, declare<typename Become::neighbours, typename Become::reads, typename Become::writes>(
                                  [=] HOST_DEVICE(Index i) { become(i); }));
-  on.for_each(p.fluid_count, LeaveBedPass<Dim>{p.record.data(), p.mass.data(), p.type.data(), p.grains.data(),
-                                               p.receiver.data(), list.none, scene});
+  on.for_each(p.fluid_count, LeaveBedPass<Dim>{p.record.data(), p.mass.data(), p.type.data(), p.grains.data(), own_id,
+                                               p.receiver.data(), scene});
+  // Of no use until the next change, when there are others.
+  p.own_id.resize(0);
+  p.receiver.resize(0);
 }
 
 }  // namespace thalweg

@@ -35,21 +35,27 @@ TEST_P(SceneOnRanks, GoesOnFromACheckpointOfOtherRanks) {
 // A short run of every model: with walls that move, periodic sides, a drive, openings, all kinds of beds.
 INSTANTIATE_TEST_SUITE_P(
     , SceneOnRanks,
-    testing::Values(Scenario{"DamBreak", "dam_break", {}, 60},
-                    Scenario{"Spheric", "spheric02", {"numerics.spacing=60 mm"}, 30}, Scenario{"Gate", "gate", {}, 40},
-                    Scenario{"Channel", "channel", {}, 30}, Scenario{"Weir", "weir", {}, 30},
-                    Scenario{"LargeEddies", "channel", {"model.turbulence=sps"}, 20},
-                    Scenario{"Louvain", "louvain", {"numerics.spacing=10 mm"}, 60},
-                    Scenario{"Louvain3d", "louvain3d", {"numerics.spacing=20 mm"}, 20},
-                    Scenario{"Laplace", "louvain", {"numerics.spacing=10 mm", "model.effective_pressure=laplace"}, 20},
-                    Scenario{"Explicit", "louvain", {"numerics.spacing=10 mm", "numerics.viscosity=explicit"}, 10},
-                    Scenario{"Columns", "submerged_columns", {}, 16}, Scenario{"Pier", "pier", {}, 10},
-                    Scenario{"Mixture",
-                             "louvain",
-                             {"numerics.spacing=10 mm", "model.sediment=viscoplastic", "model.seepage=mixture"},
-                             20},
-                    Scenario{
-                        "SurfaceBed", "pipeline_hours", {"surface_bed.spin_up=2 ms", "surface_bed.window=5 ms"}, 60}),
+    testing::Values(
+        Scenario{"DamBreak", "dam_break", {}, 60}, Scenario{"Spheric", "spheric02", {"numerics.spacing=60 mm"}, 30},
+        Scenario{"Gate", "gate", {}, 40}, Scenario{"Channel", "channel", {}, 30}, Scenario{"Weir", "weir", {}, 30},
+        Scenario{"LargeEddies", "channel", {"model.turbulence=sps"}, 20},
+        Scenario{"Louvain", "louvain", {"numerics.spacing=10 mm"}, 60},
+        Scenario{"Louvain3d", "louvain3d", {"numerics.spacing=20 mm"}, 20},
+        Scenario{"Laplace", "louvain", {"numerics.spacing=10 mm", "model.effective_pressure=laplace"}, 20},
+        Scenario{"Explicit", "louvain", {"numerics.spacing=10 mm", "numerics.viscosity=explicit"}, 10},
+        Scenario{"Columns", "submerged_columns", {}, 16}, Scenario{"Pier", "pier", {}, 10},
+        Scenario{"Mixture",
+                 "louvain",
+                 {"numerics.spacing=10 mm", "model.sediment=viscoplastic", "model.seepage=mixture"},
+                 20},
+        // Coarse grains settle within 250 steps so that the lowest water becomes bed, and within 500 so that it
+        // has grains for more, which go to the water over it.
+        Scenario{"LoadedBed",
+                 "batch_sedimentation",
+                 {"numerics.spacing=2.5 mm", "numerics.maximum_speed=0.4 m/s", "shape.suspension.concentration=0.25",
+                  "materials.sand.grain_diameter=2 mm"},
+                 540},
+        Scenario{"SurfaceBed", "pipeline_hours", {"surface_bed.spin_up=2 ms", "surface_bed.window=5 ms"}, 60}),
     [](const auto& scenario) { return std::string(scenario.param.name); });
 
 }  // namespace
