@@ -25,6 +25,7 @@ std::string eroding_bed_function(const FoamCase& foam_case) {
         roughness       %roughness%;  // ks
         criticalShields %critical%;  // 0: by the grain Reynolds number
         bedLoad         %bed_load%;
+        slopeEffect     %slope_effect%;
         pickUp          %pick_up%;
         drag            %drag%;  // [1/s] on water in the bed
         columns
@@ -42,6 +43,7 @@ std::string eroding_bed_function(const FoamCase& foam_case) {
                      {"roughness", number(s.roughness > 0 ? s.roughness : s.grain_diameter)},
                      {"critical", number(critical_shields_of(s, scene.water.density, scene.domain.gravity.norm()))},
                      {"bed_load", dictionary_word(scene.foam.bed_load)},
+                     {"slope_effect", dictionary_word(scene.model.slope_effect)},
                      {"pick_up", dictionary_word(scene.foam.pick_up)},
                      {"drag", number(bed_drag)},
                      {"columns", columns_entries(foam_case.plan, "            ")}});

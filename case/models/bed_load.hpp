@@ -4,6 +4,7 @@
 
 #include "case/tables/table.hpp"
 #include "physics/transport/bed_load.hpp"
+#include "physics/transport/slope_effect.hpp"
 
 namespace thalweg {
 
@@ -13,6 +14,15 @@ inline constexpr std::array<Choice<BedLoad>, 4> choices(BedLoad) {
            {BedLoad::wong_parker, "wong-parker", "3.97 (theta - theta_cr)^1.5, the same flumes fitted again"},
            {BedLoad::engelund_fredsoe, "engelund-fredsoe", "speed of rolling grains times their share, for sands"},
            {BedLoad::van_rijn, "van-rijn", "0.053 (theta/theta_cr - 1)^2.1 / d*^0.3, for sands"}}};
+}
+
+/// The words of model.slope_effect.
+inline constexpr std::array<Choice<SlopeEffect>, 2> choices(SlopeEffect) {
+  return {{{SlopeEffect::friction, "friction",
+            "it changes the stress of first motion and, by tan(phi)/(tan(phi) + s), the friction of the moving layer "
+            "(Bagnold 1956)"},
+           {SlopeEffect::threshold, "threshold",
+            "it changes the stress of first motion alone (Fernandez Luque & van Beek 1976)"}}};
 }
 
 }  // namespace thalweg

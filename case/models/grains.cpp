@@ -23,6 +23,7 @@ Grains grains_of(const Case& of) {
   grains.water_density = of.water.density;
   grains.water_viscosity = of.water.viscosity / of.water.density;
   grains.bed_load = of.model.bed_load;
+  grains.slope_effect = of.model.slope_effect;
   grains.pick_up = of.suspended_load.pick_up;
   grains.adaptation = of.surface_bed.adaptation;
   return grains;

@@ -28,6 +28,7 @@ struct Model {
   Rheology rheology = Rheology::herschel_bulkley;
   BedShear bed_shear = BedShear::log_law;
   BedLoad bed_load = BedLoad::meyer_peter_mueller;
+  SlopeEffect slope_effect = SlopeEffect::friction;
   bool rest = true;
   WallFriction wall_friction = WallFriction::none;
   Turbulence turbulence = Turbulence::off;
@@ -55,6 +56,7 @@ struct Model {
     v.choice("rheology", rheology, "How yielded sediment flows.");
     v.choice("bed_shear", bed_shear, "How the water's shear stress on the bed is found (three-state).");
     v.choice("bed_load", bed_load, "How fast grains move along the bed (three-state, implementation = \"law\").");
+    v.choice("slope_effect", slope_effect, "What the bed's slope along the flow changes in its bed load.");
     v.flag("rest", rest,
            "Sediment that has been below yield for a while, with nothing moving about it, stops exactly and costs next "
            "to nothing until something wakes it.");

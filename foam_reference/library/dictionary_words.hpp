@@ -6,6 +6,7 @@
 #include "physics/sediment/mu_of_i.hpp"
 #include "physics/transport/bed_load.hpp"
 #include "physics/transport/pick_up.hpp"
+#include "physics/transport/slope_effect.hpp"
 
 // The words for choices of the particle model in the dictionaries of an OpenFOAM case. thalweg-foam writes them and
 // libthalwegFoam reads them. C++17.
@@ -78,6 +79,16 @@ inline const char* dictionary_word(BedLoad choice) {
       break;
   }
   return "meyerPeterMueller";
+}
+
+inline const char* dictionary_word(SlopeEffect choice) {
+  switch (choice) {
+    case SlopeEffect::threshold:
+      return "threshold";
+    case SlopeEffect::friction:
+      break;
+  }
+  return "friction";
 }
 
 inline const char* dictionary_word(PickUp choice) {

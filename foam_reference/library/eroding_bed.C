@@ -25,12 +25,14 @@ namespace {
 
 using thalweg::BedLoad;
 using thalweg::PickUp;
+using thalweg::SlopeEffect;
 using thalweg::foam::dictionary_choices;
 
 constexpr double far = std::numeric_limits<double>::max();
 
 const auto bed_loads = dictionary_choices(BedLoad::meyer_peter_mueller, BedLoad::wong_parker, BedLoad::engelund_fredsoe,
                                           BedLoad::van_rijn);
+const auto slope_effects = dictionary_choices(SlopeEffect::friction, SlopeEffect::threshold);
 const auto pick_ups = dictionary_choices(PickUp::mastbergen, PickUp::van_rijn);
 
 std::size_t at(int column) { return static_cast<std::size_t>(column); }
@@ -96,6 +98,7 @@ bool erodingBed::read(const dictionary& dict) {
   law.roughness = dict.get<scalar>("roughness");
   law.critical_shields = dict.get<scalar>("criticalShields");
   law.bed_load = bed_loads.get("bedLoad", dict);
+  law.slope_effect = slope_effects.get("slopeEffect", dict);
   law.pick_up = pick_ups.get("pickUp", dict);
   law.water_density = dimensionedScalar("rho", dimDensity, water).value();
   law.water_viscosity = dimensionedScalar("nu", dimViscosity, water).value();

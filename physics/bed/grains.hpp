@@ -11,6 +11,7 @@
 #include "physics/transport/lift_settling.hpp"
 #include "physics/transport/pick_up.hpp"
 #include "physics/transport/saltation_length.hpp"
+#include "physics/transport/slope_effect.hpp"
 #include "physics/transport/slope_factor.hpp"
 
 // Grains that water moves over a bed of columns: the laws of physics/transport, composed.
@@ -29,6 +30,7 @@ struct Grains {
   double water_viscosity = 0;   // [m^2/s]
   double gravity = 0;           // [m/s^2]
   BedLoad bed_load = BedLoad::meyer_peter_mueller;
+  SlopeEffect slope_effect = SlopeEffect::friction;
   PickUp pick_up = PickUp::mastbergen;
   BedLoadAdaptation adaptation = BedLoadAdaptation::none;
 
@@ -110,8 +112,8 @@ inline double pick_up_of(const Grains& of, const BedStress& stress, double criti
 ///
 /// A grain that crosses between two columns climbs or falls from one to the other: along that axis the slope between them
 /// decides, not the mean slope at either. With the slope s along the flow e and the slope across it,
-///   q = q_law(theta, theta_cr on the slope) tan(phi)/(tan(phi) + s) [e - T (grad z - s e)]
-/// T the pull of a slope across the flow (bed_load_drift.hpp). Nothing climbs what is steeper than the grains stand.
+///   q = q_law(theta, theta_cr on the slope) F [e - T (grad z - s e)]
+/// F the factor of the slope along the flow (slope_effect.hpp), T the pull of that across it (bed_load_drift.hpp). Nothing climbs what is steeper than the grains stand.
 inline double bed_load_between(const GrainColumns& bed, const Grains& of, const BedStress& stress, int column, int axis,
                                bool forward) {
   if (!(stress.friction_velocity > 0)) return 0;
@@ -126,7 +128,7 @@ inline double bed_load_between(const GrainColumns& bed, const Grains& of, const 
   if (!(law > 0)) return 0;
   const double rise = along[0] * slope[0] + along[1] * slope[1];
   const double pull = transverse_slope(critical / stress.shields);
-  const double sent = law * bed_load_slope_factor(rise, of.tan_friction) *
+  const double sent = law * bed_load_slope_factor(of.slope_effect, rise, of.tan_friction) *
                       (along[axis] - pull * (slope[axis] - rise * along[axis])) * sign;
   return sent > 0 ? sent : 0;
 }

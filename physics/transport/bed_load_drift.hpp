@@ -8,16 +8,6 @@
 // (1 - n) dp of grains per area, so that the flux q of a law is its drift q/((1 - n) dp) whatever the spacing.
 namespace thalweg {
 
-/// Factor [-] on the bed load of a slope: tan(phi)/(tan(phi) + s), s the tangent of the rise along the flow, taken as
-/// at least -0.67 tan(phi), where the factor is 3 (an avalanche goes on from there). 1 on a flat bed. 0.5 up the angle of
-/// repose. friction_tangent tan(phi) > 0.
-/// Source: the balance of drag, weight and friction on a rolling layer (Bagnold 1956).
-template <class Real>
-HOST_DEVICE inline Real bed_load_slope_factor(Real rise, Real friction_tangent) {
-  const Real least = Real(-0.67) * friction_tangent;
-  return friction_tangent / (friction_tangent + (rise > least ? rise : least));
-}
-
 /// Bed load across the flow over that along it, per slope across the flow [-]: 1.5 sqrt(theta_cr/theta), Ikeda 1982 (J.
 /// Hydraul. Div. ASCE 108, 1369-1373) with the coefficient of van Rijn 1993. critical_over_stress theta_cr/theta, 0 to 1.
 template <class Real>

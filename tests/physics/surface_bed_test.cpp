@@ -231,5 +231,26 @@ TEST(SurfaceBed, GrainsRollDownASlopeAcrossTheFlow) {
   EXPECT_EQ(bed_load_between(bed, of, stress, 40, 1, true), 0);
 }
 
+// Down 18 degrees sand with a friction of 32 begins to move at sin(14)/sin(32) = 0.4565 of the flat bed's stress, up 18 at
+// sin(50)/sin(32) = 1.4456 (Fernandez Luque & van Beek 1976 measured falling beds). At three times the flat bed's
+// 0.047: 8 (0.141 - 0.02146)^1.5 = 0.33066 and 8 (0.141 - 0.06794)^1.5 = 0.15797. With friction these are divided by
+// 1 -+ tan(18)/tan(32): 0.68884 and 0.10393.
+TEST(SurfaceBed, ASlopeAlongTheFlowChangesTheThresholdAndOnRequestTheFriction) {
+  Grains of = sand();
+  const double slope = std::tan(18 * M_PI / 180);
+  const BedStress stress = bed_stress_of(of, friction_velocity_at(of, 0.141), 1, 0);
+  const double unit = bed_load_scale(of.diameter, of.density, of.water_density, of.gravity);
+  for (const bool up : {false, true}) {
+    GrainColumns bed = bed_of(9, 1, 0.01, of, 0.1);
+    for (int c = 0; c < 9; ++c) {
+      bed.grains[GrainColumns::at(c)] += bed.packing * bed.area[0] * (up ? slope : -slope) * 0.01 * (c - 4);
+    }
+    of.slope_effect = SlopeEffect::threshold;
+    EXPECT_NEAR(bed_load_between(bed, of, stress, 4, 0, true) / unit, up ? 0.15797 : 0.33066, 2e-5);
+    of.slope_effect = SlopeEffect::friction;
+    EXPECT_NEAR(bed_load_between(bed, of, stress, 4, 0, true) / unit, up ? 0.10393 : 0.68884, 4e-5);
+  }
+}
+
 }  // namespace
 }  // namespace thalweg

@@ -7,6 +7,7 @@
 #include "physics/transport/lift_settling.hpp"
 #include "physics/transport/pick_up.hpp"
 #include "physics/transport/saltation_length.hpp"
+#include "physics/transport/slope_effect.hpp"
 
 namespace thalweg {
 namespace {
@@ -51,11 +52,11 @@ TEST(BedLoadDrift, CarriesTheFluxInALayerOfOneSpacing) {
   EXPECT_EQ(bed_load_drift(6e-5, 0.6 * 0.005, 0.01), 0.01);
 }
 
-TEST(BedLoadDrift, IsHalfUpTheAngleOfReposeAndThreefoldDownTwoThirdsOfIt) {
-  EXPECT_EQ(bed_load_slope_factor(0.0, 0.625), 1);
-  EXPECT_EQ(bed_load_slope_factor(0.625, 0.625), 0.5);
-  EXPECT_NEAR(bed_load_slope_factor(-0.5 * 0.625, 0.625), 2, 1e-12);
-  EXPECT_NEAR(bed_load_slope_factor(-2.0, 0.625), 1 / 0.33, 1e-12);  // held there
+TEST(BedLoadDrift, FrictionHalvesItUpTheAngleOfReposeAndMakesItThreefoldDownTwoThirdsOfIt) {
+  EXPECT_EQ(bed_load_slope_factor(SlopeEffect::friction, 0.0, 0.625), 1);
+  EXPECT_EQ(bed_load_slope_factor(SlopeEffect::friction, 0.625, 0.625), 0.5);
+  EXPECT_NEAR(bed_load_slope_factor(SlopeEffect::friction, -0.5 * 0.625, 0.625), 2, 1e-12);
+  EXPECT_NEAR(bed_load_slope_factor(SlopeEffect::friction, -2.0, 0.625), 1 / 0.33, 1e-12);  // held there
 }
 
 // 1.5 sqrt(1/4)

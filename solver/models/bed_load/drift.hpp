@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/transport/bed_load_drift.hpp"
+#include "physics/transport/slope_effect.hpp"
 #include "solver/models/bed_load/arrays.hpp"
 #include "solver/models/bed_load/drag.hpp"
 #include "solver/models/bed_load/scene.hpp"
@@ -158,7 +159,7 @@ struct BedLoadDriftPass {
     const float rise = cosine2 > 1e-6F ? sine / sqrtf(cosine2) : 0;
     const float least = 0.01F;  // [-] of the friction: a bed without any has no slope to climb
     const float friction = scene.sediment.friction_tangent > least ? scene.sediment.friction_tangent : least;
-    return bed_load_drift(flux * bed_load_slope_factor(rise, friction), law.layer, speed);
+    return bed_load_drift(flux * bed_load_slope_factor(law.slope_effect, rise, friction), law.layer, speed);
   }
 };
 

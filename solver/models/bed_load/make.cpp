@@ -19,6 +19,7 @@ void BedLoadModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const double g = of.domain.gravity.norm();
   const double rho = of.water.density;
   law.law = of.model.bed_load;
+  law.slope_effect = of.model.slope_effect;
   law.holds_surface = of.has_lasting_current();
   law.scale = static_cast<float>(bed_load_scale(s.grain_diameter, s.grain_density, rho, g));
   law.layer = static_cast<float>((1 - s.porosity) * scene.spacing);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/transport/bed_load.hpp"
+#include "physics/transport/slope_effect.hpp"
 
 namespace thalweg {
 
@@ -9,6 +10,7 @@ struct BedLoadConstants {
   bool on = false;
   bool holds_surface = false;  // against the pressure of the water (hold.hpp)
   BedLoad law = BedLoad::meyer_peter_mueller;
+  SlopeEffect slope_effect = SlopeEffect::friction;
   float scale = 0;             // sqrt((rho_s/rho_w - 1) g d^3) [m^2/s]
   float layer = 0;             // (1 - n) dp, grains of a surface particle over its area [m]
   float area = 0;              // dp^(dim-1), of a surface particle [m^(dim-1)]

@@ -59,7 +59,9 @@ DeviceScene drifting() {
   Scene<2>& scene = plane(s);
   scene.has_drift = scene.erosion.by_law = true;
   const auto dp = static_cast<float>(scene.spacing);
-  scene.bed_load = {true, false, BedLoad::meyer_peter_mueller, 4.766e-4F, 0.53F * dp, dp, 0.2F, 3 * dp, 300 * g};
+  scene.bed_load = {
+      true,   false,  BedLoad::meyer_peter_mueller, SlopeEffect::friction, 4.766e-4F, 0.53F * dp, dp, 0.2F,
+      3 * dp, 300 * g};
   return s;
 }
 
