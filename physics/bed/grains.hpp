@@ -113,7 +113,8 @@ inline double pick_up_of(const Grains& of, const BedStress& stress, double criti
 /// A grain that crosses between two columns climbs or falls from one to the other: along that axis the slope between them
 /// decides, not the mean slope at either. With the slope s along the flow e and the slope across it,
 ///   q = q_law(theta, theta_cr on the slope) F [e - T (grad z - s e)]
-/// F the factor of the slope along the flow (slope_effect.hpp), T the pull of that across it (bed_load_drift.hpp). Nothing climbs what is steeper than the grains stand.
+/// F the factor of the slope along the flow (slope_effect.hpp), T the pull of that across it (bed_load_drift.hpp). Nothing
+/// climbs what is steeper than the grains stand.
 inline double bed_load_between(const GrainColumns& bed, const Grains& of, const BedStress& stress, int column, int axis,
                                bool forward) {
   if (!(stress.friction_velocity > 0)) return 0;

@@ -7,9 +7,8 @@ namespace thalweg {
 /// Effect of the bed's slope along the flow on the bed load.
 ///   friction    it changes the stress of first motion (slope_factor.hpp) and the friction of the moving layer; the default
 ///   threshold   it changes the stress of first motion alone
-/// Fernandez Luque & van Beek 1976 (J. Hydraul. Res. 14, 127-144) measured beds that fall by up to 22 degrees along the
-/// flow: one law, with the threshold of the slope, holds for them all. Where the stress is far above the threshold, a
-/// slope then hardly matters.
+/// Fernandez Luque & van Beek 1976 (J. Hydraul. Res. 14, 127-144) measured beds that fall along the flow: one law, with the
+/// threshold of the slope, holds for them all. Where the stress is far above the threshold, a slope then hardly matters.
 enum class SlopeEffect { friction, threshold };
 
 /// Factor [-] on the bed load of a slope. With `friction`: tan(phi)/(tan(phi) + s), s the tangent of the rise along the

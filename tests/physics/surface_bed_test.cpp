@@ -235,7 +235,7 @@ TEST(SurfaceBed, GrainsRollDownASlopeAcrossTheFlow) {
 // sin(50)/sin(32) = 1.4456 (Fernandez Luque & van Beek 1976 measured falling beds). At three times the flat bed's
 // 0.047: 8 (0.141 - 0.02146)^1.5 = 0.33066 and 8 (0.141 - 0.06794)^1.5 = 0.15797. With friction these are divided by
 // 1 -+ tan(18)/tan(32): 0.68884 and 0.10393.
-TEST(SurfaceBed, ASlopeAlongTheFlowChangesTheThresholdAndOnRequestTheFriction) {
+TEST(SurfaceBed, ASlopeAlongTheFlowChangesTheThresholdAloneOrTheFrictionToo) {
   Grains of = sand();
   const double slope = std::tan(18 * M_PI / 180);
   const BedStress stress = bed_stress_of(of, friction_velocity_at(of, 0.141), 1, 0);

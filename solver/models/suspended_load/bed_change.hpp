@@ -176,7 +176,7 @@ void change_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
                                  [=] HOST_DEVICE(Index i) { become(i); }));
   on.for_each(p.fluid_count, LeaveBedPass<Dim>{p.record.data(), p.mass.data(), p.type.data(), p.grains.data(), own_id,
                                                p.receiver.data(), scene});
-  // Of no use until the next change, when there are others.
+  // Ranks exchange arrays as long as their particles, and nobody needs these before the next change.
   p.own_id.resize(0);
   p.receiver.resize(0);
 }
