@@ -34,7 +34,7 @@ Triangles without_short_edges(Triangles surface) {
   for (auto& corners : surface.corners)
     for (std::uint32_t& corner : corners) corner = static_cast<std::uint32_t>(points.root(corner));
   std::erase_if(surface.corners, [](const auto& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; });
-  return surface;
+  return without_loose_points(std::move(surface));
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 /// Makes a mesh of a surface, stitches it, fills its holes and drops what remains loose; nothing if sheets of the
 /// surface cannot be told apart.
 std::optional<Triangles> closed_mesh(const Triangles& surface, double hole, const Note& note) {
-  auto [points, polygons] = soup_of(surface);
+  auto [points, polygons] = soup_of(without_loose_points(surface));
   pmp::orient_polygon_soup(points, polygons);  // parts the sheets that part_sheets() could not
   if (!pmp::is_polygon_soup_a_polygon_mesh(polygons)) return std::nullopt;
   Mesh mesh;

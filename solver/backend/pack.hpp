@@ -47,7 +47,11 @@ struct IntPack {
   IntPack(Vector vector) : v(vector) {}
   IntPack(Int value) : v(value - Vector{}) {}
 
-  friend IntPack operator-(IntPack a, IntPack b) { return {a.v - b.v}; }
+  /// Wraps around, as the places of a lattice do (Lattice::difference).
+  friend IntPack operator-(IntPack a, IntPack b) {
+    using Unsigned = Register<W, std::make_unsigned_t<Int>>;
+    return {(Vector)((Unsigned)a.v - (Unsigned)b.v)};
+  }
   friend IntPack operator&(IntPack a, IntPack b) { return {a.v & b.v}; }
 };
 

@@ -125,8 +125,9 @@ void load_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, c
 }
 
 /// The grains of the water, from the concentrations of a filled scene; a checkpoint has the grains themselves.
-template <int Dim, class Device>
-void load_grains(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const ParticleSet& from) {
+template <int Dim, class Device, class Workspace>
+void load_grains(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace& work, const ParticleSet& from) {
+  if (!scene.surface_bed.on && is_bed_change_due(work.number)) work.squared_drift = INFINITY;
   const auto known = from.scalars.find(concentration_array);
   if (known == from.scalars.end() || from.doubles.contains(field::grains.name)) return;
   HostBuffer<double> grains(from.size(), 0.0);

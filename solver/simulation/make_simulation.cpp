@@ -181,11 +181,21 @@ std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insis
   }
 }
 
-/// The instruction set of all ranks: the best that their processors have, or the one that was named. With different ones
-/// the bits would depend on where a particle lies.
-std::string common_instruction_set(Ranks& ranks, const std::string& asked) {
+std::string name_of(const Core& core, const SimulationInput& input) {
+  return fmt::format("openmp_{}{}", core.instruction_set, input.double_pair_sums ? "_double" : "");
+}
+
+/// True if the processor can run a core that is there: a build may leave some out (THALWEG_INSTRUCTION_SETS).
+bool is_usable(const Core& core, const SimulationInput& input) {
+  return core.runs_here() && !find_core(name_of(core, input)).empty();
+}
+
+/// The instruction set of all ranks: the best that all can use, or the one that was named. With different ones the bits
+/// would depend on where a particle lies.
+std::string common_instruction_set(const SimulationInput& input, const std::string& asked) {
+  Ranks& ranks = *input.ranks;
   const auto mine = std::find_if(openmp_cores.begin(), openmp_cores.end(), [&](const Core& core) {
-    return asked == "auto" ? core.runs_here() : asked == core.instruction_set;
+    return asked == "auto" ? is_usable(core, input) : asked == core.instruction_set;
   });
   const auto all = gather_from(ranks, mine - openmp_cores.begin());
   const auto worst = static_cast<std::size_t>(*std::max_element(all.begin(), all.end()));
@@ -199,12 +209,14 @@ std::string common_instruction_set(Ranks& ranks, const std::string& asked) {
 }
 
 std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, std::string instruction_set) {
-  if (input.ranks != nullptr) instruction_set = common_instruction_set(*input.ranks, instruction_set);
+  if (input.ranks != nullptr) instruction_set = common_instruction_set(input, instruction_set);
   for (const Core& core : openmp_cores) {
-    if (instruction_set != "auto" && instruction_set != core.instruction_set) continue;
-    const char* precision = input.double_pair_sums ? "_double" : "";
-    if (core.runs_here()) return Module(fmt::format("openmp_{}{}", core.instruction_set, precision)).make(input);
+    const bool fits = instruction_set == "auto" ? is_usable(core, input)
+                                                : instruction_set == core.instruction_set && core.runs_here();
+    if (fits) return Module(name_of(core, input)).make(input);
   }
+  if (instruction_set == "auto")
+    return Module(name_of(openmp_cores.back(), input)).make(input);  // says what is missing
   throw InputError("--isa " + instruction_set +
                    ": this processor does not have it; leave --isa away to use the best it has, or name one of avx512, "
                    "avx2, baseline");

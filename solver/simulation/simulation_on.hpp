@@ -38,7 +38,7 @@ class SimulationOn final : public Simulation {
     work_.number = from.info.step;
     work_.population = Population::of(from);
     if (scene_.has_moving_walls) load_motions(on_, p_, motions, from);
-    if (scene_.suspended_load.on) load_grains(on_, p_, scene_, from);
+    if (scene_.suspended_load.on) load_grains(on_, p_, scene_, work_, from);
     if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
     if (scene_.surface_bed.on) load_surface_bed(on_, p_, scene_, work_, surface_bed, from);
     if (scene_.mixing_length) bring_eddy_viscosity(on_, p_, scene_);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "common/particles.hpp"
 #include "solver/models/bed/arrays.hpp"
 #include "solver/models/bed_load/arrays.hpp"
@@ -144,6 +146,13 @@ struct LeaveBedPass {
     type[i] = static_cast<std::uint8_t>(ParticleType::water);
   }
 };
+
+/// True if particles become of another kind before the step of this number. They do where the lists are made anew, which in
+/// still water is hardly ever.
+constexpr bool is_bed_change_due(std::int64_t step) {
+  constexpr std::int64_t interval = 100;  // steps
+  return step % interval == 0;
+}
 
 /// Turns water into bed and bed into water. The lists are old, and have to be made anew next.
 template <int Dim, class Device>

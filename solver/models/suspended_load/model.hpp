@@ -55,12 +55,10 @@ struct SuspendedLoadModel {
       exchange_with_bed(step.on, p, step.scene, step.state);
     }
   }
-  /// Particles become of another kind where the lists are made anew, which in still water is hardly ever.
   template <class C>
   static void after_reading(C& step) {
     if (step.scene.surface_bed.on) return;
-    constexpr std::int64_t interval = 100;  // steps
-    if ((step.now.number + 1) % interval == 0) step.now.squared_drift = INFINITY;
+    if (is_bed_change_due(step.now.number + 1)) step.now.squared_drift = INFINITY;
   }
 };
 

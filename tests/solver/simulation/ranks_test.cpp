@@ -58,13 +58,17 @@ INSTANTIATE_TEST_SUITE_P(
         Scenario{"SurfaceBed", "pipeline_hours", {"surface_bed.spin_up=2 ms", "surface_bed.window=5 ms"}, 60}),
     [](const auto& scenario) { return std::string(scenario.param.name); });
 
-// Within 1600 steps grains of the bed go to water over it that another rank has.
+// Within 1600 steps grains of the bed go to water over it that another rank has. At step 800, where the restart begins,
+// particles are due to become bed.
 TEST(LoadedBedOnRanks, GrainsGoFromRankToRank) {
   CaseRun run("loaded_ranks");
   run.fill("batch_sedimentation", {"numerics.spacing=2.5 mm", "numerics.maximum_speed=0.4 m/s",
                                    "shape.suspension.concentration=0.3", "materials.sand.grain_diameter=4 mm"});
   const Outcome one = run_alone("openmp", run.scene(), run.start(), 1600);
   expect_same(one, run_on(3, "openmp", run.scene(), run.start(), 1600));
+  const ParticleSet half = run_on(2, "openmp", run.scene(), run.start(), 800).last;
+  expect_same(one.last, run_alone("openmp", run.scene(), half, 800).last);
+  expect_same(one.last, run_on(3, "openmp", run.scene(), half, 800).last);
 }
 
 }  // namespace
