@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -64,14 +65,16 @@ std::array<Descriptor, 2> make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-volatile std::sig_atomic_t foreground_child = 0;
-volatile std::sig_atomic_t remembered_signal = 0;
+// A signal may come to any thread.
+std::atomic<pid_t> foreground_child = 0;
+std::atomic<int> remembered_signal = 0;
+static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 extern "C" void leave_to_child(int) {}
 extern "C" void remember(int signal) { remembered_signal = signal; }
 extern "C" void pass_on(int signal) {
-  if (foreground_child > 0) {
-    kill(static_cast<pid_t>(foreground_child), signal);
+  if (const pid_t child = foreground_child; child > 0) {
+    kill(child, signal);
   } else {
     remember(signal);
   }

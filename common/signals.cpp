@@ -1,16 +1,19 @@
 #include "common/signals.hpp"
 
+#include <atomic>
 #include <csignal>
 #include <initializer_list>
 
 namespace thalweg {
 namespace {
 
-volatile std::sig_atomic_t stop = 0;
-volatile std::sig_atomic_t write_now = 0;
+// A signal may come to any thread.
+std::atomic<int> stop = 0;
+std::atomic<bool> write_now = false;
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 extern "C" void remember_stop(int signal) { stop = signal; }
-extern "C" void remember_write(int) { write_now = 1; }
+extern "C" void remember_write(int) { write_now = true; }
 
 void handle(int signal, void (*handler)(int)) {
   struct sigaction before {};
@@ -44,10 +47,6 @@ const char* signal_name(int signal) {
   }
 }
 
-bool take_write_request() {
-  if (write_now == 0) return false;
-  write_now = 0;
-  return true;
-}
+bool take_write_request() { return write_now.exchange(false); }
 
 }  // namespace thalweg
