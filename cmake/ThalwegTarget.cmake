@@ -60,6 +60,8 @@ add_library(thalweg_build_version OBJECT "${THALWEG_BUILD_VERSION}")
 thalweg_settings(thalweg_build_version)
 add_dependencies(thalweg_build_version thalweg_ask_git)
 
+set(THALWEG_TEST_SLOWNESS 1 CACHE STRING "How many times longer tests may take, where they are sanitized")
+
 # thalweg_test(NAME LABEL label SOURCES … [LINK …]): a GoogleTest program, every test of it registered with CTest under
 # the label unit, backend, pipeline, stability or validation. FIXTURE names what another test has to set up before.
 # Target tests_LABEL builds all of a label. TIMEOUT ends a test that hangs: at least five times what it takes, because
@@ -77,6 +79,7 @@ function(thalweg_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main GTest::gmock)
   thalweg_settings(${name})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * ${THALWEG_TEST_SLOWNESS}")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT} FIXTURES_REQUIRED "${ARG_FIXTURE}")
 endfunction()

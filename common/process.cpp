@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstring>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "common/console.hpp"
@@ -68,7 +69,7 @@ std::array<Descriptor, 2> make_pipe() {
 // A signal may come to any thread.
 std::atomic<pid_t> foreground_child = 0;
 std::atomic<int> remembered_signal = 0;
-static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+static_assert(std::is_same_v<pid_t, int> && std::atomic<int>::is_always_lock_free);
 
 extern "C" void leave_to_child(int) {}
 extern "C" void remember(int signal) { remembered_signal = signal; }
