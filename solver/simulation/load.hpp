@@ -124,7 +124,8 @@ void load_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, c
   on.upload(HostBuffer<std::int64_t>(from.id.begin(), from.id.end()), p.id);
 }
 
-/// The grains of the water, from the concentrations of a filled scene; a checkpoint has the grains themselves.
+/// The grains of the water, from the concentrations of a filled scene; a checkpoint has the grains themselves, but not
+/// that lists were due for a change of the bed.
 template <int Dim, class Device, class Workspace>
 void load_grains(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Workspace& work, const ParticleSet& from) {
   if (!scene.surface_bed.on && is_bed_change_due(work.number)) work.squared_drift = INFINITY;
