@@ -211,9 +211,13 @@ std::string common_instruction_set(const SimulationInput& input, const std::stri
 std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, std::string instruction_set) {
   if (input.ranks != nullptr) instruction_set = common_instruction_set(input, instruction_set);
   for (const Core& core : openmp_cores) {
-    const bool fits = instruction_set == "auto" ? is_usable(core, input)
-                                                : instruction_set == core.instruction_set && core.runs_here();
-    if (fits) return Module(name_of(core, input)).make(input);
+    const bool is_asked = instruction_set == "auto" || instruction_set == core.instruction_set;
+    if (is_asked && is_usable(core, input)) return Module(name_of(core, input)).make(input);
+    if (instruction_set == core.instruction_set && core.runs_here()) {
+      throw InputError("--isa " + instruction_set + ": thalweg_core_" + name_of(core, input) +
+                       ".so is not here; leave --isa away to use the best core that is, or build it "
+                       "(THALWEG_INSTRUCTION_SETS)");
+    }
   }
   if (instruction_set == "auto")
     return Module(name_of(openmp_cores.back(), input)).make(input);  // says what is missing
