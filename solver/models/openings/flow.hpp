@@ -124,10 +124,11 @@ struct WaterBesidePass {
     const double* x = positions[i].x;
     const InOpening in = in_opening(*zone, x);
     const double inward = zone->enters ? in.along : -in.along;
-    if (!(inward >= 0 && inward < zone->length)) return {};
+    const double weight = weight_at(inward);
+    if (!(weight > 0)) return {};
     const bool over_edge = in.up >= -zone->half_up && in.across >= -zone->half_across && in.across <= zone->half_across;
     if (in_section ? !is_in_section(*zone, in, 0) : !over_edge) return {};
-    const double volume = double(mass[i]) / double(scene.water_density);
+    const double volume = weight * double(mass[i]) / double(scene.water_density);
     double at_centre = r.pressure;
     for (int k = 0; k < Dim; ++k) {
       const int c = axis<Dim>(k);
@@ -136,6 +137,15 @@ struct WaterBesidePass {
     double speed = 0;
     for (int c = 0; c < 3; ++c) speed += double(r.velocity[c]) * zone->flow[c];
     return {volume, at_centre * volume, speed * volume};
+  }
+
+ private:
+  /// A hat over a whole number of spacings, with a mean of 1 over the zone's length: particles that pass one behind the
+  /// other a spacing apart always count the same. Without it the depth went up and down by 2 % as they passed.
+  [[nodiscard]] HOST_DEVICE double weight_at(double inward) const {
+    const double half = floor(0.5 * zone->length / zone->spacing) * zone->spacing;
+    const double from_middle = fabs(inward - half) / half;
+    return from_middle < 1 ? zone->length / half * (1 - from_middle) : 0;
   }
 };
 
@@ -185,8 +195,9 @@ struct LeavesThrough {
       if (sediment || !is_in_zone(*zone, in)) return false;
       return roles[i] == Role::prescribed ? speeds[column_in(*zone, in)] < 0 : in.along < -0.5 * zone->spacing;
     }
-    // Water that falls sinks out of the section before lists are made anew; a bed under the opening stays.
-    const double beside = (zone->falls && !sediment ? 1.0 : 0.01) * zone->spacing;
+    // Water that falls sinks out of the section before lists are made anew; a bed under the opening stays. No bed lies past
+    // the zone of another outlet: there a grain that slides on the floor, half in it, leaves too.
+    const double beside = (zone->falls != sediment ? 1.0 : 0.01) * zone->spacing;
     const double end = zone->falls ? 0 : zone->length - zone->spacing;
     return in.along > end && in.along < zone->length + 2 * zone->spacing && is_in_section(*zone, in, beside);
   }

@@ -7,26 +7,13 @@
 
 #include "case/models/openings.hpp"
 #include "physics/water/equation_of_state.hpp"
+#include "solver/models/openings/inlet_columns.hpp"
 #include "solver/models/openings/make_grains_of_inlets.hpp"
 #include "solver/models/openings/make_zone.hpp"
 #include "solver/models/openings/waves_out.hpp"
 
 namespace thalweg {
 namespace {
-
-/// Columns become full or dry when the level has passed their middle by this share of their height: a level that moves
-/// little does not switch them on and off.
-constexpr double level_slack = 0.25;
-
-/// One column of an inlet's zone: particles one behind the other, a spacing apart.
-struct Column {
-  double up = 0;       // [m] of its axis, from the centre of the opening
-  double across = 0;   // [m]
-  bool exists = true;  // false: it lies outside of a round opening
-  bool is_full = false;
-  double phase = 0;  // [m] way of its first particle since the one before it crossed the plane
-  double mass = 0;   // [kg] of its last newborn particle
-};
 
 /// One inlet with its columns.
 struct InletColumns {
@@ -80,6 +67,7 @@ class OpeningsOfCase final : public Openings {
     let_waves_out(time, waters);
     set_returning();
     const std::vector<std::pair<std::size_t, std::size_t>> risen = choose_columns();
+    set_areas();
     set_speeds(time);  // on which the grains of the newborn depend
     for (const auto& [inlet, column] : risen) {
       for (int layer = 0; layer < layers_; ++layer) bear(inlet, columns_[column], layer, population);
@@ -107,13 +95,14 @@ class OpeningsOfCase final : public Openings {
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       const InletColumns& of = inlets_[n];
       for (std::size_t c = of.first; c < of.first + of.count; ++c) {
-        Column& column = columns_[c];
+        InletColumn& column = columns_[c];
         if (!column.is_full) continue;
         column.phase += dt * double(speeds_[c]);
         while (column.phase >= spacing_) {
           column.phase -= spacing_;
+          water_[n] += column.masses.front();
+          column.masses.pop_front();
           bear(n, column, layers_ - 1, population);
-          water_[n] += column.mass;  // one of as much has crossed the plane
         }
       }
     }
@@ -146,14 +135,19 @@ class OpeningsOfCase final : public Openings {
     }
     for (const WavesOut& waves : waves_)
       out.insert(out.end(), {waves.level, waves.height, waves.is_measured ? 1.0 : 0.0});
-    for (const Column& column : columns_)
-      out.insert(out.end(), {column.is_full ? 1.0 : 0.0, column.phase, column.mass});
+    for (const InletColumn& column : columns_) {
+      out.insert(out.end(), {column.is_full ? 1.0 : 0.0, column.share, column.area, column.phase});
+      for (std::size_t layer = 0; layer < static_cast<std::size_t>(layers_); ++layer) {
+        out.push_back(column.is_full ? column.masses[layer] : 0);
+      }
+    }
     return out;
   }
 
   [[nodiscard]] bool restored(const std::vector<double>& numbers) override {
     constexpr std::size_t of_zone = 7;
-    if (numbers.size() != 3 + of_zone * zones_.size() + 3 * waves_.size() + 3 * columns_.size()) return false;
+    const std::size_t of_column = 4 + static_cast<std::size_t>(layers_);
+    if (numbers.size() != 3 + of_zone * zones_.size() + 3 * waves_.size() + of_column * columns_.size()) return false;
     const double* next = numbers.data();
     returning_ = *next++;
     water_of_pump_ = *next++;
@@ -172,10 +166,13 @@ class OpeningsOfCase final : public Openings {
       waves.height = *next++;
       waves.is_measured = *next++ != 0;
     }
-    for (Column& column : columns_) {
+    for (InletColumn& column : columns_) {
       column.is_full = *next++ != 0;
+      column.share = *next++;
+      column.area = *next++;
       column.phase = *next++;
-      column.mass = *next++;
+      if (column.is_full) column.masses.assign(next, next + layers_);
+      next += layers_;
     }
     return true;
   }
@@ -188,22 +185,13 @@ class OpeningsOfCase final : public Openings {
     zone.rows = parts_of(2 * zone.half_up, spacing_);
     zone.ranks = dimension_ == 3 ? parts_of(2 * zone.half_across, spacing_) : 1;
     zone.first_column = static_cast<Index>(columns_.size());
-    const double high = 2 * zone.half_up / zone.rows;
-    const double wide = 2 * zone.half_across / zone.ranks;
-    for (Index row = 0; row < zone.rows; ++row) {
-      for (Index rank = 0; rank < zone.ranks; ++rank) {
-        Column column;
-        column.up = (row + 0.5) * high - zone.half_up;
-        column.across = dimension_ == 3 ? (rank + 0.5) * wide - zone.half_across : 0;
-        if (zone.round) column.exists = std::hypot(column.up, column.across) <= zone.half_up;
-        columns_.push_back(column);
-      }
-    }
+    const std::vector<InletColumn> columns = inlet_columns(zone, dimension_);
+    const auto number = std::count_if(columns.begin(), columns.end(), [](const InletColumn& c) { return c.exists; });
     // The columns of a round opening share its area; their own squares would be up to a tenth more or less.
-    const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(zone.first_column);
-    const auto number = std::count_if(begin, columns_.end(), [](const Column& column) { return column.exists; });
-    const double cell = zone.round ? inlet.area(dimension_) / static_cast<double>(number) : high * wide;
-    inlets_.push_back({inlet, zone.first_column, columns_.size() - zone.first_column, cell});
+    const double cell = zone.round ? inlet.area(dimension_) / static_cast<double>(number)
+                                   : 2 * zone.half_up / zone.rows * 2 * zone.half_across / zone.ranks;
+    inlets_.push_back({inlet, columns_.size(), columns.size(), cell});
+    columns_.insert(columns_.end(), columns.begin(), columns.end());
     zones_.push_back(zone);
     names_.push_back(inlet.name);
   }
@@ -245,11 +233,9 @@ class OpeningsOfCase final : public Openings {
     return levels_[n] - (zone.at[2] - zone.half_up);
   }
 
-  [[nodiscard]] bool is_full(std::size_t n, const Column& column) const {
-    if (!column.exists || zones_[n].is_full) return column.exists;
-    const double over = depth_in(n) - (column.up + zones_[n].half_up);
-    const double slack = level_slack * spacing_;
-    return column.is_full ? over > -slack : over > -1e-6 * spacing_;
+  /// Level of the water in an inlet [rows over its lower edge].
+  [[nodiscard]] double level_in_rows(std::size_t n) const {
+    return depth_in(n) / (2 * zones_[n].half_up) * zones_[n].rows;
   }
 
   /// Marks the columns that are full. Returns those that have become so, as numbers of inlet and column.
@@ -257,18 +243,42 @@ class OpeningsOfCase final : public Openings {
     std::vector<std::pair<std::size_t, std::size_t>> risen;
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       const InletColumns& of = inlets_[n];
+      const bool has_level = !zones_[n].is_full;
+      const Index before = rows_with_water(columns_.data() + of.first, of.count, zones_[n].ranks);
+      const Index rows = has_level ? rows_up_to(level_in_rows(n), before, zones_[n].rows) : zones_[n].rows;
       for (std::size_t c = of.first; c < of.first + of.count; ++c) {
-        Column& column = columns_[c];
-        const bool full = is_full(n, column);
+        InletColumn& column = columns_[c];
+        const auto row = static_cast<Index>(c - of.first) / zones_[n].ranks;
+        const bool full = column.exists && row < rows;
+        column.share = has_level && row == rows - 1 ? share_of_highest(level_in_rows(n), rows) : 1;
         if (full && !column.is_full) {
           column.phase = 0.5 * spacing_;
           risen.emplace_back(n, c);
         }
-        if (!full && column.is_full) drying_[n] += layers_ * column.mass;
+        if (!full && column.is_full) drying_[n] += column.mass();
+        if (!full) column.masses.clear();
         column.is_full = full;
       }
     }
     return risen;
+  }
+
+  /// The discharge goes with the mass of the particles there are, whose share may have been another.
+  void set_areas() {
+    for (std::size_t n = 0; n < inlets_.size(); ++n) {
+      const InletColumns& of = inlets_[n];
+      for (std::size_t c = of.first; c < of.first + of.count; ++c) {
+        InletColumn& column = columns_[c];
+        const double z = zones_[n].at[2] + column.up * zones_[n].up[2] + column.across * zones_[n].across[2];
+        column.set_area(of.cell, density_ * (1 + excess_at(n, z)) * spacing_);
+      }
+    }
+  }
+
+  /// Compression of an inlet's water at z [m].
+  [[nodiscard]] double excess_at(std::size_t n, double z) const {
+    const double head = zones_[n].is_full ? 0 : std::max(0.0, levels_[n] - z);
+    return tait_excess(density_ * gravity_ * head, stiffness_);
   }
 
   /// The discharge as the inlet has it, spread over the columns that are full.
@@ -277,7 +287,7 @@ class OpeningsOfCase final : public Openings {
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       const InletColumns& of = inlets_[n];
       double area = 0;
-      for (std::size_t c = of.first; c < of.first + of.count; ++c) area += columns_[c].is_full ? of.cell : 0;
+      for (std::size_t c = of.first; c < of.first + of.count; ++c) area += columns_[c].area;
       const double rate = rate_of(n, time, area);
       const double mean = area > 0 ? rate / area : 0;
       rates_[n] = area > 0 ? rate : 0;
@@ -286,10 +296,10 @@ class OpeningsOfCase final : public Openings {
       double shaped = 0;
       std::vector<double> shape(of.count, 0.0);
       for (std::size_t c = 0; c < of.count; ++c) {
-        const Column& column = columns_[of.first + c];
+        const InletColumn& column = columns_[of.first + c];
         if (!column.is_full) continue;
         shape[c] = of.inlet.shape_at(column.up + zones_[n].half_up, depth_in(n), mean, viscosity_);
-        shaped += shape[c] * of.cell;
+        shaped += shape[c] * column.area;
       }
       for (std::size_t c = 0; c < of.count; ++c) {
         const bool runs = columns_[of.first + c].is_full;
@@ -319,7 +329,7 @@ class OpeningsOfCase final : public Openings {
   }
 
   /// Volume share of the grains in a column.
-  [[nodiscard]] double concentration_in(std::size_t n, const Column& column) const {
+  [[nodiscard]] double concentration_in(std::size_t n, const InletColumn& column) const {
     const Inlet& inlet = inlets_[n].inlet;
     if (inlet.grains == InletGrains::recirculated) return rates_[n] > 0 ? returning_ / rates_[n] : 0;
     return grains_of_inlets_.concentration(inlet, column.up + zones_[n].half_up, depth_in(n), means_[n],
@@ -327,7 +337,7 @@ class OpeningsOfCase final : public Openings {
   }
 
   /// A particle of a column, `layer` spacings behind its first.
-  void bear(std::size_t n, Column& column, int layer, Population& population) {
+  void bear(std::size_t n, InletColumn& column, int layer, Population& population) {
     const Zone& zone = zones_[n];
     Newborn newborn;
     const double along = column.phase - (layer + 1) * spacing_;
@@ -335,15 +345,15 @@ class OpeningsOfCase final : public Openings {
       newborn.position.x[c] =
           zone.at[c] + along * zone.flow[c] + column.up * zone.up[c] + column.across * zone.across[c];
     }
-    const double head = zone.is_full ? 0 : std::max(0.0, levels_[n] - newborn.position.x[2]);
-    const double excess = tait_excess(density_ * gravity_ * head, stiffness_);
+    const double excess = excess_at(n, newborn.position.x[2]);
     newborn.excess = static_cast<float>(excess);
-    newborn.mass = static_cast<float>(density_ * (1 + excess) * inlets_[n].cell * spacing_);
+    const double volume = inlets_[n].cell * column.share * spacing_;
+    newborn.mass = static_cast<float>(density_ * (1 + excess) * volume);
     newborn.role = Role::prescribed;
     const double concentration = concentration_in(n, column);
-    newborn.grains = concentration * inlets_[n].cell * spacing_;
+    newborn.grains = concentration * volume;
     population.bear(newborn);
-    column.mass = double(newborn.mass);
+    column.masses.push_back(double(newborn.mass));
     waiting_grains_[n] += newborn.grains * grains_of_inlets_.density();
   }
 
@@ -357,7 +367,7 @@ class OpeningsOfCase final : public Openings {
   GrainsOfInlets grains_of_inlets_;
   std::vector<Outlet> outlets_;
   std::vector<InletColumns> inlets_;
-  std::vector<Column> columns_;  // of all inlets
+  std::vector<InletColumn> columns_;  // of all inlets
   std::vector<Zone> zones_;
   std::vector<double> levels_;  // [m]
   std::vector<std::string> names_;
