@@ -69,7 +69,8 @@ inline double settling_on(const GrainColumns& bed, const std::vector<double>& se
   return can ? settling[c] : 0;
 }
 
-/// Lets grains settle and rise for dt [s]. No column gives more than it has, nor takes more than it has room for.
+/// Lets grains settle and rise for dt [s]. No column gives more than it has, nor takes more than it has room for. What a
+/// column at a fed end exchanges is made up for by its feed.
 inline void settle_grains(GrainColumns& bed, const std::vector<double>& settling, double dt) {
   for (std::size_t c = 0; c < settling.size(); ++c) {
     const int column = static_cast<int>(c);
@@ -77,6 +78,10 @@ inline void settle_grains(GrainColumns& bed, const std::vector<double>& settling
     const double gain = std::max(-bed.grains[c], std::min(asked, bed.room(column)));
     bed.grains[c] += gain;
     bed.lifted -= gain;
+    if (bed.area[c] > 0 && bed.end_at(column) == BedEnd::fed) {
+      bed.lifted -= settling[c] * dt;
+      bed.fed -= settling[c] * dt;
+    }
   }
 }
 

@@ -21,11 +21,15 @@ inline constexpr Field added_viscosity{"AddedViscosity", quad_work};
 /// The receiver of particles that give no grains away: the id of none.
 inline constexpr std::int64_t no_particle = -1;
 
+/// The diffusivity of water in the zone of an inlet or outlet: its grains go along with it, and nothing else happens to
+/// them. Where they sank, those of an inlet had gathered in its lowest row by the time they came in.
+inline constexpr float of_opening = -1;
+
 /// Numbers that follow from the grains of a particle and what is around it.
 struct Suspended {
   float
       concentration;  // of water: volume share of grains [-]; of a bed particle: its grains over those of a packed one
-  float diffusivity;  // of water: of its grains [m^2/s]
+  float diffusivity;  // of water: of its grains [m^2/s], or of_opening
   float reference;    // of a bed particle: concentration at the reference level [-]
   float friction;     // of a bed particle: friction velocity over it [m/s]
   float exposed;      // of a bed particle: area at the water over the share of water in reach [m^(dim-1)]; 0: none

@@ -70,7 +70,7 @@ HOST_DEVICE inline float pick_up_of(const Scene<Dim>& scene, float shear_stress,
 ///   A J weight/sum of the weights,   J of flux_from_bed() at the height of the water over the surface.
 HOST_DEVICE inline float grains_to_water(const SuspendedLoadConstants& law, const Suspended& bed,
                                          const Suspended& water, const OverBed& over) {
-  if (!(over.weight > 0)) return 0;
+  if (!(over.weight > 0) || water.diffusivity < 0) return 0;  // of_opening
   const float C = water.concentration;
   // The eddies that a model of turbulence knows say how deep the water is; without one it counts as deep.
   const float of_wall = von_karman<float> * bed.friction * over.height;

@@ -46,7 +46,7 @@ struct SuspendedLoadModel {
     auto& p = step.p;
     const SubParticle* sub_particle = step.scene.sub_particle_stress ? p.sub_particle.data() : nullptr;
     const Eddies* eddies = step.scene.mixing_length ? p.eddies.data() : nullptr;
-    step.on.for_each(p.fluid_count, DiffusivityPass<C::dimension>{p.record.data(), sub_particle, eddies,
+    step.on.for_each(p.fluid_count, DiffusivityPass<C::dimension>{p.record.data(), p.roles(), sub_particle, eddies,
                                                                   p.suspended.data(), step.scene});
     settle(step.on, p, step.scene, step.state);
     if (step.scene.surface_bed.on) {

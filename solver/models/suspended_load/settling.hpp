@@ -110,9 +110,11 @@ struct SettlingSweep {
     const L C_below = lane_select(above > zero, a.work[0], b.work[0]);
     const L room = lane_min(L(1.0F), lane_max(zero, L(5.0F) - C_below * L(5.0F / law.packing)));
     const L speed = L(law.settling_velocity) * hindered_share(L(0.5F) * (a.work[0] + b.work[0])) * room;
-    const L J = flux_of_grains(a.work[0], b.work[0], speed * above, mean_diffusivity(a.work[1], b.work[1]));
+    const L D = mean_diffusivity(lane_max(a.work[1], zero), lane_max(b.work[1], zero));
+    const L J = flux_of_grains(a.work[0], b.work[0], speed * above, D);
     const L exchange = L(-2.0F) * (a.volume * b.volume) * g.F;
-    sum.gain += lane_select(is_water(b), exchange * J, zero);
+    const L moves = lane_select(lane_min(a.work[1], b.work[1]) < zero, zero, exchange * J);
+    sum.gain += lane_select(is_water(b), moves, zero);
   }
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
@@ -128,10 +130,11 @@ struct SettlingSweep {
 /// row's mixing is half of what it should be.
 template <int Dim>
 struct DiffusivityPass {
-  using reads = Reads<field::matter, field::sub_particle, field::eddies>;
+  using reads = Reads<field::matter, field::sub_particle, field::eddies, field::role>;
   using writes = Writes<field::suspended>;
 
   const Record* records;
+  const Role* roles;                // nullptr without openings
   const SubParticle* sub_particle;  // nullptr without this model of turbulence
   const Eddies* eddies;             // nullptr without that one
   Suspended* suspended;
@@ -141,6 +144,10 @@ struct DiffusivityPass {
     const SuspendedLoadConstants& law = scene.suspended_load;
     suspended[i].diffusivity = 0;
     if (!is_water(records[i])) return;
+    if (roles != nullptr && roles[i] == Role::prescribed) {
+      suspended[i].diffusivity = of_opening;
+      return;
+    }
     float of_eddies = 0;
     if (sub_particle != nullptr) of_eddies = sub_particle[i].eddy_viscosity;
     if (eddies != nullptr) {
