@@ -123,7 +123,7 @@ TEST(Openings, StandOnTheCellsOfTheLattice) {
   EXPECT_EQ(make_zone(inlet, of, node).at[2], 0.1);
 }
 
-// What has gone through the zone of an outlet leaves: water in its section, and grains that slide on the floor, half in it.
+// Behind the zone of an outlet leave water in its section, and grains that slide on the floor, half in it.
 // A bed under a fall stays.
 TEST(Openings, TakeGrainsOnTheFloorBehindAnOutlet) {
   Zone zone;
