@@ -16,7 +16,7 @@ namespace thalweg {
 namespace {
 
 /// One inlet with its columns.
-struct InletColumns {
+struct InletWithColumns {
   Inlet inlet;
   std::size_t first = 0;  // of its columns, in the table of all
   std::size_t count = 0;
@@ -93,7 +93,7 @@ class OpeningsOfCase final : public Openings {
   void advance(double dt, Population& population) override {
     since_fill_ += dt;
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
-      const InletColumns& of = inlets_[n];
+      const InletWithColumns& of = inlets_[n];
       for (std::size_t c = of.first; c < of.first + of.count; ++c) {
         InletColumn& column = columns_[c];
         if (!column.is_full) continue;
@@ -242,7 +242,7 @@ class OpeningsOfCase final : public Openings {
   std::vector<std::pair<std::size_t, std::size_t>> choose_columns() {
     std::vector<std::pair<std::size_t, std::size_t>> risen;
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
-      const InletColumns& of = inlets_[n];
+      const InletWithColumns& of = inlets_[n];
       const bool has_level = !zones_[n].is_full;
       const Index before = rows_with_water(columns_.data() + of.first, of.count, zones_[n].ranks);
       const Index rows = has_level ? rows_up_to(level_in_rows(n), before, zones_[n].rows) : zones_[n].rows;
@@ -266,7 +266,7 @@ class OpeningsOfCase final : public Openings {
   /// The discharge goes with the mass of the particles there are, whose share may have been another.
   void set_areas() {
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
-      const InletColumns& of = inlets_[n];
+      const InletWithColumns& of = inlets_[n];
       for (std::size_t c = of.first; c < of.first + of.count; ++c) {
         InletColumn& column = columns_[c];
         const double z = zones_[n].at[2] + column.up * zones_[n].up[2] + column.across * zones_[n].across[2];
@@ -285,7 +285,7 @@ class OpeningsOfCase final : public Openings {
   void set_speeds(double time) {
     double entering = 0;
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
-      const InletColumns& of = inlets_[n];
+      const InletWithColumns& of = inlets_[n];
       double area = 0;
       for (std::size_t c = of.first; c < of.first + of.count; ++c) area += columns_[c].area;
       const double rate = rate_of(n, time, area);
@@ -366,7 +366,7 @@ class OpeningsOfCase final : public Openings {
   int layers_;        // particles of a column
   GrainsOfInlets grains_of_inlets_;
   std::vector<Outlet> outlets_;
-  std::vector<InletColumns> inlets_;
+  std::vector<InletWithColumns> inlets_;
   std::vector<InletColumn> columns_;  // of all inlets
   std::vector<Zone> zones_;
   std::vector<double> levels_;  // [m]

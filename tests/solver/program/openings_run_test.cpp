@@ -22,16 +22,26 @@ std::string scene(const std::string& name) {
   return THALWEG_SOURCE_DIR "/tests/solver/program/openings/" + name + ".toml";
 }
 
+double mean_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v;
+  return sum / static_cast<double>(values.size());
+}
+
+/// Root of the mean square of the deviation from the mean.
+double scatter_of(const std::vector<double>& values) {
+  const double mean = mean_of(values);
+  std::vector<double> squares;
+  for (const double v : values) squares.push_back((v - mean) * (v - mean));
+  return std::sqrt(mean_of(squares));
+}
+
 /// A column of history.csv from a time [s] on.
 struct Column {
   std::vector<double> time;
   std::vector<double> value;
 
-  [[nodiscard]] double mean() const {
-    double sum = 0;
-    for (const double v : value) sum += v;
-    return sum / static_cast<double>(value.size());
-  }
+  [[nodiscard]] double mean() const { return mean_of(value); }
   [[nodiscard]] double rate() const { return test::trend(time, value, 0); }
 };
 
@@ -169,15 +179,6 @@ TEST(OpenChannel, EntersOnTheLatticeOfItsFloor) {
   }
 }
 
-/// Root of the mean square of the deviation from the mean.
-double scatter(const std::vector<double>& values) {
-  double mean = 0;
-  for (const double v : values) mean += v / static_cast<double>(values.size());
-  double squares = 0;
-  for (const double v : values) squares += (v - mean) * (v - mean) / static_cast<double>(values.size());
-  return std::sqrt(squares);
-}
-
 TEST(OpenChannel, TakesALevelBetweenTwoRows) {
   // Ten and a half rows of water. With whole rows only, the level beside the inlet went up and down by 2.7 mm and the
   // speed over the floor behind it by 2.9 %.
@@ -189,17 +190,15 @@ TEST(OpenChannel, TakesALevelBetweenTwoRows) {
   EXPECT_NEAR(column(run, "west_water", "kg", 6).rate(), entering, 0.002 * entering);
   const Column level = column(run, "west_level", "m", 6);
   EXPECT_NEAR(level.mean(), 0.105, 0.0015);
-  EXPECT_LT(scatter(level.value), 0.0015);
+  EXPECT_LT(scatter_of(level.value), 0.0015);
   std::vector<double> lowest;
   for (const ParticleSet& p : test::snapshots_from(run, 6)) {
     lowest.push_back(test::row_speeds({p}, run.scene().numerics.spacing, {0, 0.1, 0}).front());
   }
   const double friction = friction_velocity_of_current(0.04 / level.mean(), level.mean(), 1e-6, 1e-3);
   const double law = log_profile(friction, 0.005, 1e-6, 1e-3);
-  double mean = 0;
-  for (const double u : lowest) mean += u / static_cast<double>(lowest.size());
-  EXPECT_NEAR(mean, law, 0.03 * law);
-  EXPECT_LT(scatter(lowest), 0.02 * law);
+  EXPECT_NEAR(mean_of(lowest), law, 0.03 * law);
+  EXPECT_LT(scatter_of(lowest), 0.02 * law);
 }
 
 TEST(OpenChannel, FollowsAHydrograph) {
