@@ -22,7 +22,7 @@ inline constexpr Field added_viscosity{"AddedViscosity", quad_work};
 inline constexpr std::int64_t no_particle = -1;
 
 /// The diffusivity of water in the zone of an inlet or outlet: its grains go along with it, and nothing else happens to
-/// them. Where they sank, those of an inlet had gathered in its lowest row by the time they came in.
+/// them. Where they sank, a quarter of them lay on the floor of an outlet's zone before they were counted as gone.
 inline constexpr float of_opening = -1;
 
 /// Numbers that follow from the grains of a particle and what is around it.
