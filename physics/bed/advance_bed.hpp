@@ -38,8 +38,6 @@ inline BedAdvance advance_bed(GrainColumns& bed, const Grains& of, const std::ve
     if (of.adaptation == BedLoadAdaptation::saltation) adapt_bed_load(bed, of, stress, passages);
     std::vector<double> rate(columns, 0.0);  // [m^3/s] of grains
     for (std::size_t c = 0; c < settling.size(); ++c) rate[c] = settling_on(bed, settling, static_cast<int>(c));
-    const bool at_rest = passages.empty() && std::all_of(rate.begin(), rate.end(), [](double r) { return r == 0; });
-    if (at_rest && avalanche(bed, of.tan_friction)) done.time = duration;
     double largest_sent = 0;  // [m^3/s]
     for (const BedPassage& passage : passages) {
       rate[GrainColumns::at(passage.from)] -= passage.rate;

@@ -158,7 +158,23 @@ TEST(SurfaceBed, SettlingStopsAtFedEndsAndBelowBodies) {
   EXPECT_NEAR(bed.level(0), 0.05, 1e-15);
   EXPECT_NEAR(bed.level(9), 0.0505, 1e-15);
   EXPECT_NEAR(bed.level(5), 0.051, 1e-12);
-  EXPECT_NEAR(bed.total() + bed.lifted, before, 1e-12 * before);
+  EXPECT_NEAR(bed.fed, -6e-6, 1e-18);  // what settles on the fed end is taken out there
+  EXPECT_NEAR(bed.total() + bed.lifted - bed.fed, before, 1e-12 * before);
+}
+
+// A fed end takes what settles on it out of the water also where the rest of the bed is at rest.
+TEST(SurfaceBed, AFedEndTakesWhatSettlesWhileTheBedIsAtRest) {
+  const Grains of = sand();
+  GrainColumns bed = bed_of(10, 1, 0.01, of, 0.05);
+  bed.end.assign(10, BedEnd::closed);
+  bed.end.front() = BedEnd::fed;
+  std::vector<double> settling(10, 0.0);
+  settling.front() = 6e-6 * 0.01;
+  const std::vector<double> before = bed.grains;
+  EXPECT_DOUBLE_EQ(advance_bed(bed, of, std::vector<BedStress>(10), settling, 100, 1).time, 100);
+  EXPECT_EQ(bed.grains, before);
+  EXPECT_NEAR(bed.lifted, -6e-6, 1e-18);
+  EXPECT_NEAR(bed.fed, -6e-6, 1e-18);
 }
 
 // Under one stress everywhere a bed between a fed and an open end stays as it is, and what leaves is the law's.
