@@ -14,6 +14,7 @@ function(thalweg_python_program name start)
     DEPENDS ${sources} "${PROJECT_SOURCE_DIR}/cmake/python_program.py"
     VERBATIM)
   add_custom_target(thalweg-${name} ALL DEPENDS "${program}")
+  add_dependencies(programs thalweg-${name})
   install(PROGRAMS "${program}" TYPE BIN COMPONENT programs)
   set_property(GLOBAL APPEND PROPERTY THALWEG_PYTHON_PROGRAMS thalweg-${name})
 endfunction()

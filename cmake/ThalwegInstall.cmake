@@ -8,6 +8,7 @@ add_custom_command(OUTPUT "${manual}/man/man1/thalweg.1"
   DEPENDS ${programs} "${PROJECT_SOURCE_DIR}/cmake/manual.cmake"
   COMMENT "Writing manual and completions" VERBATIM)
 add_custom_target(manual ALL DEPENDS "${manual}/man/man1/thalweg.1")
+add_dependencies(programs manual)
 
 install(DIRECTORY "${manual}/" DESTINATION share COMPONENT programs)
 install(DIRECTORY cases DESTINATION share/thalweg COMPONENT programs)

@@ -27,6 +27,9 @@ if(THALWEG_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${THALWEG_CCACHE}")
 endif()
 
+# All programs that a user calls, and their manual.
+add_custom_target(programs)
+
 # thalweg_library(NAME SOURCES … [LINK …]) and thalweg_program(NAME SOURCES … [LINK …]): a static library or a program
 # with the project's warnings and include root.
 function(thalweg_settings target)
@@ -48,6 +51,7 @@ function(thalweg_program name)
   add_executable(${name} ${ARG_SOURCES} $<TARGET_OBJECTS:thalweg_build_version>)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   thalweg_settings(${name})
+  add_dependencies(programs ${name})
   install(TARGETS ${name} RUNTIME COMPONENT programs)
 endfunction()
 
