@@ -71,6 +71,44 @@ def particle_mean(finished, entry, _):
     return entry.reference.points(sample)
 
 
+def rows_of_water(finished, array, floor, begin):
+    """Mean height over `floor` [m] and mean of an array in every row of water one spacing high, over the snapshots from `begin`
+    [s] on, the lowest first. Rows with less than a fiftieth of the fullest are particles that fly over the surface."""
+    sums = {}
+    for _, file in (entry for entry in finished.snapshots if entry[0] >= begin - 1e-9):
+        found = finished.particles(file, ("Points", "Type", array))
+        each = len(found[array]) // len(found["Type"])  # of a vector the component along x
+        for i, kind in enumerate(found["Type"]):
+            if kind == WATER:
+                height = found["Points"][3 * i + 2] - floor
+                row = sums.setdefault(max(0, int(height / finished.spacing)), [0, 0.0, 0.0])
+                row[0], row[1], row[2] = row[0] + 1, row[1] + height, row[2] + found[array][each * i]
+    fullest = max((count for count, _, _ in sums.values()), default=0)
+    return [(height / count, value / count) for _, (count, height, value) in sorted(sums.items()) if count >= 0.02 * fullest]
+
+
+@measure("water over height", "Mean of an array of the water over its height: rows one spacing high, mean over the last snapshots, linear "
+         "between their middles. What is known stands in a table, in which `reference_at` names the column of heights [m]. Heights below the "
+         "lowest row's middle or above the highest's are left out.",
+         Key("array", "text", "a point array of the snapshots (docs/file-formats.md); of a vector the component along x", required=True),
+         Key("floor", "number", "height [m] of the floor or bed from which the table counts; default: 0"),
+         Key("last", "positive number", "share of the run, at its end, over which is averaged; default: the last third"),
+         Key("logarithmic", "flag", "true: the decimal logarithm is compared, and interpolated"))
+def water_over_height(finished, entry, _):
+    given = entry.given
+    taken = (lambda value: math.log10(max(value, 1e-300))) if given.get("logarithmic") else float
+    rows = [(height, taken(value)) for height, value in
+            rows_of_water(finished, given["array"], given.get("floor", 0.0), finished.end * (1 - given.get("last", 1 / 3)))]
+
+    def sample(height):
+        for (z, value), (above, after) in zip(rows, rows[1:]):
+            if z <= height <= above:
+                return value + (after - value) * (height - z) / (above - z)
+        return None
+    return [Point(f"z = {point.at:.4g} m", point.computed, taken(point.low), taken(point.high))
+            for point in entry.reference.points(sample) if point.computed is not None]
+
+
 @measure("toe", "Farthest place along x [m] at which a curve of the profile is as high as `height`, linear between its points.",
          Key("curve", "text", "bed (default), free_surface or moving_bed", words=("bed", "free_surface", "moving_bed")),
          Key("height", "number", "[m]", required=True))

@@ -107,6 +107,19 @@ class Measures(unittest.TestCase):
         point, = self.measured("water front", {}, snapshot=lambda _: "", particles=lambda *_: particles)
         self.assertAlmostEqual(point.computed, 0.505)
 
+    def test_water_over_height_lies_between_the_middles_of_rows(self):
+        places, concentrations = (0.105, 0.115, 0.125, 0.095), (1e-2, 1e-3, 1e-4, 0.9)  # the last one is of the bed
+        particles = {"Points": [x for z in places for x in (0, 0, z)], "Type": (2, 2, 2, 3), "Concentration": concentrations,
+                     "Velocity": [x for u in (1.0, 2.0, 3.0, 9.0) for x in (u, 0, 0)]}
+        finished = types.SimpleNamespace(spacing=0.01, end=10.0, particles=lambda *_: particles, snapshots=[(1.0, "early"), (10.0, "last")])
+        reference = types.SimpleNamespace(points=lambda sample: [Point(z, sample(z), 1e-2, 1e-2) for z in (0.001, 0.01, 0.0225, 0.04)])
+
+        def measured(given):
+            return MEASURES["water over height"].function(finished, types.SimpleNamespace(given={"floor": 0.1, **given}, reference=reference), None)
+        self.assertEqual([round(point.computed, 9) for point in measured({"array": "Velocity"})], [1.5, 2.75])
+        logarithms = measured({"array": "Concentration", "logarithmic": True})
+        self.assertEqual([(round(point.computed, 9), point.low) for point in logarithms], [(-2.5, -2.0), (-3.75, -2.0)])
+
     def test_toe_lies_between_two_columns(self):
         profile = [(0.0, 0.04), (0.01, 0.008), (0.02, 0.002), (0.03, 0.0)]
         point, = self.measured("toe", {"height": 0.004}, profile=lambda *_: profile)
