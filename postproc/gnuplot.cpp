@@ -10,7 +10,6 @@
 #include <sstream>
 #include <vector>
 
-#include "common/error.hpp"
 #include "common/process.hpp"
 #include "common/whole_file.hpp"
 
@@ -73,9 +72,8 @@ void draw(const fs::path& script, const std::string& text, std::chrono::seconds 
     if (!ended) gnuplot.end(SIGKILL);
     fs::remove(part, ignored);
     if (!ended) {
-      throw RunError(
-          fmt::format("{}: {} did not end within {} s and was ended; run it by hand, or leave the report out",
-                      script.string(), program, patience.count()));
+      throw ScriptHangs(fmt::format("{}: {} did not end within {} s and was ended; run it by hand", script.string(),
+                                    program, patience.count()));
     }
     if (gnuplot.wait() != 0) {
       throw RunError(script.string() + ": " + program + " failed: " + complaint_in(log) + "; its output is in " +
@@ -110,6 +108,28 @@ GnuplotResult run_gnuplot(const fs::path& script, std::chrono::seconds patience)
     return GnuplotResult::not_installed;
   }
   return GnuplotResult::drawn;
+}
+
+bool draw_pictures(const std::vector<fs::path>& scripts, std::vector<std::string>& warnings) {
+  std::size_t drawn = 0;
+  std::string problem;
+  for (const fs::path& script : scripts) {
+    try {
+      if (run_gnuplot(script) == GnuplotResult::not_installed) {
+        warnings.emplace_back("gnuplot is not installed, so there are no pictures; apt-get install gnuplot-nox");
+        return false;
+      }
+      ++drawn;
+    } catch (const ScriptHangs& error) {
+      problem = error.what();
+      break;
+    } catch (const RunError& error) {
+      if (problem.empty()) problem = error.what();
+    }
+  }
+  if (drawn == scripts.size()) return true;
+  warnings.push_back(fmt::format("{} of {} pictures are missing: {}", scripts.size() - drawn, scripts.size(), problem));
+  return false;
 }
 
 std::string gnuplot_string(std::string_view text) {

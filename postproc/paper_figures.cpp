@@ -1,7 +1,10 @@
 #include "postproc/paper_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <ostream>
 
+#include "common/console.hpp"
 #include "common/whole_file.hpp"
 #include "postproc/figures/paper/paper_part.hpp"
 #include "postproc/gnuplot.hpp"
@@ -14,14 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void draw(const std::vector<paper::Part>& parts, std::vector<std::string>& warnings) {
-  for (const paper::Part& part : parts) {
-    for (const fs::path& script : part.scripts) {
-      if (run_gnuplot(script) == GnuplotResult::drawn) continue;
-      warnings.emplace_back("gnuplot is not installed, so there are no pictures; apt-get install gnuplot-nox");
-      break;
-    }
-  }
+bool draw(const std::vector<paper::Part>& parts, std::vector<std::string>& warnings) {
+  std::vector<fs::path> scripts;
+  for (const paper::Part& part : parts) scripts.insert(scripts.end(), part.scripts.begin(), part.scripts.end());
+  return draw_pictures(scripts, warnings);
 }
 
 void write_page(const fs::path& page, const paper::Context& context, const std::vector<paper::Part>& parts) {
@@ -46,17 +45,18 @@ void write_page(const fs::path& page, const paper::Context& context, const std::
 
 }  // namespace
 
-fs::path write_paper_figures(ReportInput& input, const std::vector<fs::path>& series) {
+bool write_paper_figures(ReportInput& input, const std::vector<fs::path>& series) {
   const paper::Context context(input);
   std::vector<paper::Part> parts;
   parts.push_back(paper::front_against_spacing(context, series));
   parts.push_back(paper::start_and_profiles(context));
   parts.push_back(paper::sections(context));
   if (std::optional<paper::Part> scour = paper::scour_against_time(context)) parts.push_back(std::move(*scour));
-  draw(parts, input.warnings);
+  const bool drawn = draw(parts, input.warnings);
   const fs::path page = context.folder / "index.html";
   write_page(page, context, parts);
-  return page;
+  say(fmt::format("\nfigures: {}", page.string()));
+  return drawn;
 }
 
 }  // namespace thalweg

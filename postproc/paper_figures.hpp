@@ -13,9 +13,8 @@ namespace thalweg {
 /// part, a measurement above all, has an empty slot that says what would fill it.
 ///
 /// Writes report/paper: pictures and their scripts, data/*.csv, and index.html, which needs no other file. `series`:
-/// runs of one case at several spacings, with their profiles/front.csv. Returns the page; names the
-/// pictures that could not be drawn in the warnings of `input`. Throws InputError for a folder that is no run, RunError when nothing can be
-/// written.
-std::filesystem::path write_paper_figures(ReportInput& input, const std::vector<std::filesystem::path>& series);
+/// runs of one case at several spacings, with their profiles/front.csv. Returns false when pictures are missing, and says
+/// why in the warnings of `input`. Throws InputError for a folder that is no run, RunError when nothing can be written.
+bool write_paper_figures(ReportInput& input, const std::vector<std::filesystem::path>& series);
 
 }  // namespace thalweg

@@ -113,9 +113,6 @@ bool make_report(ReportInput& input, bool in_space) {
     if (!fs::exists(file)) input.warnings.push_back(file.string() + ": is missing; the report leaves its part out");
   }
   const bool drawn = write_report(input);
-  if (!drawn) {
-    input.warnings.emplace_back("gnuplot is not installed, so there are no pictures; apt-get install gnuplot-nox");
-  }
   say(fmt::format("\nreport: {}", (run.report() / "index.html").string()));
   return drawn;
 }
@@ -174,7 +171,7 @@ Exit postprocess(const PostprocessOptions& options) {
   write_errors(run.report(), input.comparison);
 
   bool complete = !input.extraction.damaged;
-  if (options.paper_figures) say(fmt::format("\nfigures: {}", write_paper_figures(input, options.series).string()));
+  if (options.paper_figures) complete = write_paper_figures(input, options.series) && complete;
   if (options.movie) complete = draw_movie(input) && complete;
   if (options.report || options.in_space) complete = make_report(input, options.in_space) && complete;
   for (const std::string& warning : input.warnings) warn(warning);

@@ -133,10 +133,7 @@ bool write_report(ReportInput& input) {
                     "pvbatch view.py --pictures report/paraview",
                     old));
   }
-  bool drawn = true;
-  for (const fs::path& script : write_scripts(input, pictures)) {
-    drawn = drawn && run_gnuplot(script) == GnuplotResult::drawn;
-  }
+  const bool drawn = draw_pictures(write_scripts(input, pictures), input.warnings);
   SpaceScene space;
   if (input.in_space) {
     space = make_space_scene(input);

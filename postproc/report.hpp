@@ -77,9 +77,8 @@ struct ReportInput {
 };
 
 /// Writes report/pictures (gnuplot scripts and what they draw), report/data (the curves as drawn) and
-/// report/index.html, a page that needs no other file and no network. Returns false when the pictures are missing
-/// because gnuplot is not installed; the page then says so. Names the parts it has to leave out in the warnings. Throws
-/// RunError.
+/// report/index.html, a page that needs no other file and no network. Returns false when pictures are missing; the page
+/// then says so. Names what it has to leave out in the warnings. Throws RunError.
 bool write_report(ReportInput& input);
 
 }  // namespace thalweg

@@ -12,9 +12,7 @@ namespace thalweg::report_sections {
 
 std::string figure(const std::string& picture, const std::string& caption, const std::string& id) {
   const std::string shown =
-      picture.empty()
-          ? "<div class=\"missing\">no picture: gnuplot is not installed (apt-get install gnuplot-nox)</div>"
-          : picture;
+      picture.empty() ? "<div class=\"missing\">no picture: the remarks say why it was not drawn</div>" : picture;
   const std::string named = id.empty() ? "" : " id=\"figure_" + id + "\"";
   return fmt::format("<figure{}>\n{}<figcaption>{}</figcaption>\n</figure>\n", named, shown, caption);
 }

@@ -107,8 +107,10 @@ void add_measurements(ReportInput& input) {
   for (const std::string& slot : slots) {
     const fs::path folder = resolved.folder / slot;
     if (!fs::exists(folder) || (fs::is_directory(folder) && !holds_profiles(folder))) {
-      input.reference_notes.push_back("no measured profiles: " + short_name(folder) +
-                                      (fs::exists(folder) ? " is empty" : " does not exist"));
+      const char* why = !fs::exists(folder)    ? " does not exist"
+                        : fs::is_empty(folder) ? " is empty"
+                                               : " holds none (t0.500.csv)";
+      input.reference_notes.push_back("no measured profiles: " + short_name(folder) + why);
       continue;
     }
     const std::string label = slots.size() == 1 ? "measured" : "measured, " + fs::path(slot).filename().string();

@@ -112,7 +112,7 @@ TEST(Postprocess, WithoutGnuplotSaysWhatToInstallAndWritesTheRest) {
   EXPECT_THAT(said, HasSubstr("apt-get install gnuplot-nox"));
   EXPECT_TRUE(fs::exists(synthetic.folder().profiles() / "front.csv"));
   const std::string page = contents_of(run.report() / "index.html");
-  EXPECT_THAT(page, HasSubstr("no picture: gnuplot is not installed"));
+  EXPECT_THAT(page, HasSubstr("no picture: the remarks say why"));
   EXPECT_THAT(page, testing::Not(HasSubstr("of an earlier run")));
   EXPECT_THAT(page, HasSubstr("that are older than the snapshots are left out (1)"));
   EXPECT_THAT(page, HasSubstr("gencase: the wall is thin"));

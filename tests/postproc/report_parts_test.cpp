@@ -141,6 +141,26 @@ TEST(Gnuplot, IsEndedWhenItHangsAndLeavesTheOldPicture) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "p" / "a.svg"));
 }
 
+TEST(Gnuplot, AScriptThatFailsCostsItsOwnPictureAlone) {
+  const TemporaryFolder folder("gnuplot_fails");
+  install_gnuplot(folder.path() / "draw", "grep -q bad \"$2\" && { echo a bad script; exit 1; }\nexit 0\n");
+  std::vector<std::filesystem::path> scripts;
+  for (const char* name : {"good", "bad", "better"}) {
+    scripts.push_back(folder.path() / "p" / (std::string(name) + ".gp"));
+    write_text(scripts.back(), std::string(name) + "\n");
+  }
+  std::vector<std::string> warnings;
+  EXPECT_FALSE(draw_pictures(scripts, warnings));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings[0], testing::StartsWith("1 of 3 pictures are missing: "));
+  EXPECT_THAT(warnings[0], HasSubstr("bad.gp: "));
+  EXPECT_THAT(warnings[0], HasSubstr("a bad script"));
+  scripts.erase(scripts.begin() + 1);
+  EXPECT_TRUE(draw_pictures(scripts, warnings));
+  EXPECT_EQ(warnings.size(), 1U);
+  unsetenv("THALWEG_GNUPLOT");
+}
+
 TEST(Gnuplot, PutsPicturesInPlaceWhole) {
   const TemporaryFolder folder("gnuplot_whole");
   // It draws into the names that the script gives, none of which is a picture's own.
