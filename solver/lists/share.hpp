@@ -32,28 +32,6 @@ class Share final : public SharedScene, public StaleFields {
 
   void set_beside(FieldsBeside where) { beside_ = std::move(where); }
 
-  /// Keeps of all particles of a file, in whatever order, a part as large as the others'.
-  void keep_part(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-    const auto from = static_cast<Index>(std::uint64_t{p.count} * rank() / size());
-    const auto to = static_cast<Index>(std::uint64_t{p.count} * (rank() + 1) / size());
-    const auto records = on.download(p.record, from, to);
-    const auto fluid =
-        static_cast<Index>(std::count_if(records.begin(), records.end(), [](const Record& r) { return !is_wall(r); }));
-    keep(on, p, scene, {{from, to}, {to, to}}, fluid);
-  }
-
-  /// Of particles that stand in the order of the lists, all of them on every rank: keeps this rank's range.
-  void keep_range(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
-    const auto cut = cut_evenly(p.fluid_count, p.count - p.fluid_count, size());
-    const auto r = static_cast<std::size_t>(rank());
-    first_block = cut.fluid[r] / sum_block;
-    const auto fluid = static_cast<Index>(cut.fluid[r + 1] - cut.fluid[r]);
-    keep(on, p, scene,
-         {{static_cast<Index>(cut.fluid[r]), static_cast<Index>(cut.fluid[r + 1])},
-          {p.fluid_count + static_cast<Index>(cut.walls[r]), p.fluid_count + static_cast<Index>(cut.walls[r + 1])}},
-         fluid);
-  }
-
   /// Takes the copies away.
   void drop_copies(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
     on.listener = nullptr;
@@ -168,7 +146,6 @@ class Share final : public SharedScene, public StaleFields {
   }
 
  private:
-  using Range = std::pair<Index, Index>;
   struct Counts {
     Index fluid = 0;
     Index walls = 0;
@@ -176,30 +153,6 @@ class Share final : public SharedScene, public StaleFields {
 
   [[nodiscard]] int rank() const { return ranks.rank(); }
   [[nodiscard]] int size() const { return ranks.size(); }
-
-  /// Keeps the particles of two ranges; `fluid`: how many of them are fluid.
-  void keep(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::pair<Range, Range>& ranges,
-            Index fluid) {
-    HostBuffer<Index> order;
-    for (Index i = ranges.first.first; i < ranges.first.second; ++i) order.push_back(i);
-    for (Index i = ranges.second.first; i < ranges.second.second; ++i) order.push_back(i);
-    const auto kept = static_cast<Index>(order.size());
-    typename Device::template Buffer<Index> on_device;
-    on.upload(std::move(order), on_device);
-    const auto take = [&](auto& buffer) {
-      std::remove_reference_t<decltype(buffer)> spare;
-      on.reorder(buffer, on_device, spare);
-      buffer.resize(kept);
-      buffer.shrink_to_fit();
-    };
-    take(p.record);
-    EachArray arrays(sorted, [&](const Field&, auto& buffer, const auto&) { take(buffer); });
-    p.describe(scene, arrays);
-    if (p.listed_at.size() == p.count) take(p.listed_at);
-    p.count = kept;
-    p.fluid_count = fluid;
-    set_room(on, p, scene, kept);
-  }
 
   /// Gives the record and the arrays of copies room for n particles, with the record of zero volume behind them.
   void set_room(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Index n) {

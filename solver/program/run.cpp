@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "case/models/suspended_load.hpp"
 #include "case/reader/case_file.hpp"
@@ -39,7 +40,8 @@ Exit status_of(int signal) { return static_cast<Exit>(128 + signal); }
 /// The run: steps, and the files that are due between them.
 class Run {
  public:
-  Run(const RunStart& from, const RunOptions& options, const RunLock& lock)
+  /// Keeps none of the particles that it starts from.
+  Run(RunStart from, const RunOptions& options, const RunLock& lock)
       : case_(from.scene),
         case_text_(case_text(from.scene)),
         clock_{from.particles.info.time, from.particles.info.step},
@@ -319,7 +321,7 @@ Exit run_solver(const RunOptions& options) {
   require_filled(folder);
   const RunLock lock(options.folder, "thalweg-solver");
   if (options.benchmark == 0) keep_warnings(folder);
-  const RunStart start = read_run(options);
+  RunStart start = read_run(options);
   const bool fresh = options.benchmark == 0 && !start.continued;
   if (fresh && !options.force && options.restart.empty()) {
     refuse_to_replace(folder, "continue it with --restart latest, or replace it with --force");
@@ -327,7 +329,8 @@ Exit run_solver(const RunOptions& options) {
   if (fresh) WarningFile(folder, "solver").clear();
   if (options.benchmark == 0) check_disk(start.scene, folder, start.particles);
   others.send();
-  Run run(start, options, lock);
+  const bool continued = start.continued;
+  Run run(std::move(start), options, lock);
   if (options.benchmark > 0) return run.benchmark(options.benchmark);
   if (stop_signal() != 0) {
     spdlog::warn("stopped by {} before the first step; {} is as it was", signal_name(stop_signal()),
@@ -337,7 +340,7 @@ Exit run_solver(const RunOptions& options) {
   remove_dead_parts(options.folder);
   if (fresh) remove_results(folder);
   try {
-    return run.to_the_end(start.continued);
+    return run.to_the_end(continued);
   } catch (const RunError&) {
     lock.require_folder();  // a folder that has gone is the reason why a file in it cannot be written
     throw;

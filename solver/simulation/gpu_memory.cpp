@@ -157,7 +157,7 @@ GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles, int ra
   memory.needed = n.all * (arrays + shown.bytes) + lists + drift + making_lists;
   if (ranks > 1) {
     memory.entries /= ranks;
-    memory.needed = std::max(memory.needed / ranks, n.all * arrays);
+    memory.needed /= ranks;
   }
   memory.needed += lattices;  // whole on every rank
   if (!scene.has_sediment || scene.viscosity != ViscosityTreatment::implicit) return memory;

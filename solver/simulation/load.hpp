@@ -10,6 +10,7 @@
 #include "solver/backend/buffer.hpp"
 #include "solver/lists/rebuild.hpp"
 #include "solver/simulation/checkpoint.hpp"
+#include "solver/simulation/file_share.hpp"
 
 // From files to the device: particles as gencase leaves them, or a checkpoint.
 namespace thalweg {
@@ -31,6 +32,16 @@ float kind_of(const Scene<Dim>& scene, const ParticleSet& from, std::size_t i) {
   const float known = kinds == from.scalars.end() ? kind::deposit : kinds->second[i];
   if (known == kind::resting) return scene.may_rest ? known : kind::deposit;
   return scene.has_states ? known : kind::deposit;  // a state that no model keeps would be read out of bounds
+}
+
+/// The particles of a file that this rank begins with, one of several or alone.
+template <int Dim>
+FileShare share_of(Ranks* ranks, const Scene<Dim>& scene, const ParticleSet& from) {
+  if (ranks == nullptr) return FileShare(from);
+  if (!from.doubles.contains(checkpoint_array::listed_at)) return {from, even_ranges(*ranks, from.size())};
+  std::size_t fluid = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) fluid += kind_of(scene, from, i) == kind::wall ? 0 : 1;
+  return {from, ranges_in_order(*ranks, from.size(), fluid)};
 }
 
 /// A particle as it starts or goes on; walls have the volume of a spacing.
@@ -176,6 +187,40 @@ void swap_places(Device& on, Particles<Device>& p) {
                            }));
 }
 
+/// True if the particles of all ranks stand in the order of their list cells, fluid and walls apart.
+template <int Dim, class Device>
+bool are_in_order(Device& on, const Particles<Device>& p, const Scene<Dim>& scene) {
+  const bool here = neighbours::are_in_order(on, p, scene);
+  if (on.shared == nullptr) return here;
+  struct Keys {
+    bool ascend;
+    bool any[2];  // of the fluid and of the walls
+    std::uint64_t first[2];
+    std::uint64_t last[2];
+  };
+  Keys mine{here, {p.fluid_count > 0, p.fluid_count < p.count}, {}, {}};
+  const Index begins[] = {0, p.fluid_count, p.count};
+  for (int part = 0; part < 2; ++part) {
+    if (!mine.any[part]) continue;
+    const auto key_at = [&](Index i) {
+      const auto record = on.download(p.record, i, i + 1);
+      return neighbours::HilbertKey<Dim>(record.data(), scene.lattice)(0);
+    };
+    mine.first[part] = key_at(begins[part]);
+    mine.last[part] = key_at(begins[part + 1] - 1);
+  }
+  std::uint64_t before[2] = {0, 0};
+  for (const Keys& of_rank : gather_from(on.shared->ranks, mine)) {
+    if (!of_rank.ascend) return false;
+    for (int part = 0; part < 2; ++part) {
+      if (!of_rank.any[part]) continue;
+      if (of_rank.first[part] < before[part]) return false;
+      before[part] = of_rank.last[part];
+    }
+  }
+  return true;
+}
+
 /// Builds the lists of a checkpoint. It holds the particles in list order, and lists are built for the places they were
 /// built for, which makes the continued run the same, bit for bit, as one that never stopped. With another reach the list
 /// cells differ, and with them the order: then the first step sorts the particles and makes lists of its own.
@@ -188,12 +233,9 @@ void restore_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene, co
   }
   on.upload(std::move(places), p.listed_at);
   swap_places(on, p);
-  const bool in_order = neighbours::are_in_order(on, p, scene);
+  const bool in_order = are_in_order(on, p, scene);
   if (in_order) {
-    with_share<Dim>(on, [&](auto& share) {
-      share.keep_range(on, p, scene);
-      share.find_copies(on, p, scene);
-    });
+    with_share<Dim>(on, [&](auto& share) { share.find_copies(on, p, scene); });
     neighbours::build_lists(on, p, scene);
     if (scene.may_rest) list_active_clusters(on, p);
   }
@@ -201,8 +243,9 @@ void restore_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene, co
   if (!in_order) {  // no lists
     p.listed_at.resize(0);
     p.list_begin.resize(0);
+    return;
   }
-  with_share<Dim>(on, [&](auto& share) { in_order ? share.bring_all(on, p, scene) : share.keep_part(on, p, scene); });
+  with_share<Dim>(on, [&](auto& share) { share.bring_all(on, p, scene); });
 }
 
 }  // namespace thalweg

@@ -141,6 +141,10 @@ extern template StepResult advance(test::Cpu&, Particles<test::Cpu>&, const Scen
                                    Timing&);
 extern template StepResult advance(test::Guarded&, Particles<test::Guarded>&, const Scene<2>&,
                                    Workspace<test::Guarded>&, double, Timing&);
+extern template std::vector<ExcludedParticle> rebuild_lists(test::Cpu&, Particles<test::Cpu>&, const Scene<2>&);
+extern template std::vector<ExcludedParticle> rebuild_lists(test::Guarded&, Particles<test::Guarded>&, const Scene<2>&);
+extern template std::vector<ExcludedParticle> rebuild_lists(test::Cpu&, Particles<test::Cpu>&, const Scene<3>&);
+extern template std::vector<ExcludedParticle> rebuild_lists(test::Guarded&, Particles<test::Guarded>&, const Scene<3>&);
 extern template class SimulationOn<2, test::Cpu>;
 extern template class SimulationOn<3, test::Cpu>;
 extern template class SimulationOn<2, test::Guarded>;

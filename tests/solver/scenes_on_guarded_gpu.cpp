@@ -11,6 +11,8 @@ namespace thalweg {
 
 template StepResult advance(test::Guarded&, Particles<test::Guarded>&, const Scene<2>&, Workspace<test::Guarded>&,
                             double, Timing&);
+template std::vector<ExcludedParticle> rebuild_lists(test::Guarded&, Particles<test::Guarded>&, const Scene<2>&);
+template std::vector<ExcludedParticle> rebuild_lists(test::Guarded&, Particles<test::Guarded>&, const Scene<3>&);
 template class SimulationOn<2, test::Guarded>;
 template class SimulationOn<3, test::Guarded>;
 

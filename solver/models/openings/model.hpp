@@ -64,9 +64,9 @@ inline bool uses_water_beside(const Zone& zone) { return zone.enters ? zone.is_f
 
 /// The water next to each opening; none at those that do not stand upright. all: p.fluid(), or all particles where they
 /// are not in order yet.
-template <int Dim, class Device, class Count>
+template <int Dim, class Device>
 std::vector<WaterAtOpening> waters_at_openings(Device& on, const Particles<Device>& p, const Scene<Dim>& scene,
-                                               const OpeningsWork<Device>& work, Count all) {
+                                               const OpeningsWork<Device>& work, FluidCount all) {
   const std::vector<Zone>& zones = work.openings->zones();
   std::vector<WaterAtOpening> waters(zones.size());
   for (std::size_t n = 0; n < zones.size(); ++n) {
@@ -195,13 +195,14 @@ void load_openings(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Wo
   Population::open(on, p);
   const auto known = from.facts.find(openings_fact);
   if (known == from.facts.end()) {
+    const FluidCount all{p.count};
     for (std::size_t n = 0; n < zones.size(); ++n) {
-      const WaterBeside sum = on.reduce(p.count, WaterBeside{}, water_beside(p, scene, work, n, true),
+      const WaterBeside sum = on.reduce(all, WaterBeside{}, water_beside(p, scene, work, n, true),
                                         [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; });
       if (sum.volume > 0) beside[n].pressure = sum.pressure / sum.volume, beside[n].speed = sum.speed / sum.volume;
     }
     const Index before = p.count;
-    openings->fill(time_of_openings(work), waters_at_openings(on, p, scene, work, p.count), work.population);
+    openings->fill(time_of_openings(work), waters_at_openings(on, p, scene, work, all), work.population);
     work.population.admit(on, p, scene);
     p.fluid_count += p.count - before;
   } else {

@@ -6,12 +6,9 @@
 #include <map>
 #include <set>
 
-#include "solver/backend/openmp.hpp"
 #include "solver/domain/halo.hpp"
 #include "solver/domain/stale_fields.hpp"
-#include "solver/simulation/simulation_on.hpp"
-#include "tests/solver/guarded_runtime.hpp"
-#include "tests/solver/lattice_scene.hpp"
+#include "tests/solver/scenes.hpp"
 
 // Births, deaths and the ledger, on every backend; and the halo that follows from what bodies declare.
 namespace thalweg::test {
