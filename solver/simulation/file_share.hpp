@@ -43,8 +43,7 @@ class FileShare {
  public:
   /// One rank has all. `all` is kept by reference.
   explicit FileShare(const ParticleSet& all) : all_(all) {}
-  FileShare(const ParticleSet& all, std::vector<FileRange> ranges)
-      : all_(all), is_part_(true), ranges_(std::move(ranges)) {
+  FileShare(const ParticleSet& all, std::vector<FileRange> ranges) : all_(all), ranges_(std::move(ranges)) {
     part_.info = all.info;
     part_.facts = all.facts;
     for_each_array(part_, [&](const char* name, auto& array) {
@@ -60,16 +59,16 @@ class FileShare {
   }
 
   [[nodiscard]] const ParticleSet& all() const { return all_; }
-  [[nodiscard]] const ParticleSet& mine() const { return is_part_ ? part_ : all_; }
+  [[nodiscard]] const ParticleSet& mine() const { return ranges_.empty() ? all_ : part_; }
   /// The block of sums in which they begin.
   [[nodiscard]] std::int64_t first_block() const {
-    return is_part_ ? static_cast<std::int64_t>(ranges_.front().first / sum_block) : 0;
+    return ranges_.empty() ? 0 : static_cast<std::int64_t>(ranges_.front().first / sum_block);
   }
 
   /// This rank's entries of an array with one or more for each particle of the file.
   template <class Array>
   [[nodiscard]] Array mine_of(Array of_all) const {
-    return is_part_ ? chosen(of_all) : std::move(of_all);
+    return ranges_.empty() ? std::move(of_all) : chosen(of_all);
   }
 
  private:
@@ -86,8 +85,7 @@ class FileShare {
   }
 
   const ParticleSet& all_;
-  bool is_part_ = false;
-  std::vector<FileRange> ranges_;
+  std::vector<FileRange> ranges_;  // none: all
   ParticleSet part_;
 };
 

@@ -80,8 +80,7 @@ struct Running {
 
 template <class OnDevice>
 class PopulationOn : public testing::Test {};
-using Devices = testing::Types<OpenMp<4>, Gpu<GuardedRuntime>>;
-TYPED_TEST_SUITE(PopulationOn, Devices);
+TYPED_TEST_SUITE(PopulationOn, Backends);
 
 TYPED_TEST(PopulationOn, BirthsWaitForARebuildAndGetTheNextIds) {
   const ParticleSet start = tank(tank_scene());
