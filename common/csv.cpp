@@ -14,6 +14,7 @@
 #include <ostream>
 
 #include "common/error.hpp"
+#include "common/plain_file.hpp"
 #include "common/shown.hpp"
 #include "common/whole_file.hpp"
 
@@ -102,9 +103,7 @@ std::string CsvColumn::heading() const { return unit.empty() ? name : fmt::forma
 std::string csv_number(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
 
 CsvTable CsvTable::read(const fs::path& file, LastLine last) {
-  std::error_code ignored;  // what cannot be looked at cannot be opened either
-  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
-    throw InputError(file.string() + ": is no plain file; give a table that was written to the disk");
+  require_plain_file(file, "a table");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string() + ": cannot be opened; check the name and the permissions");
   CsvTable table({});

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "common/error.hpp"
+#include "common/plain_file.hpp"
 #include "gencase/ply_check.hpp"
 #include "gencase/survey_reader.hpp"
 #include "gencase/text_meshes.hpp"
@@ -112,7 +113,8 @@ MeshFile read_mesh(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (!std::filesystem::is_regular_file(file))
+  require_plain_file(file, "a mesh");
+  if (!std::filesystem::exists(file))
     throw InputError(file.string() + ": there is no such file; check the name, which is relative to the case's folder");
   const auto format = formats.find(extension);
   if (format == formats.end() && extension != ".vtp")

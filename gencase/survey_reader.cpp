@@ -17,6 +17,7 @@
 
 #include "common/csv.hpp"
 #include "common/error.hpp"
+#include "common/plain_file.hpp"
 #include "gencase/words.hpp"
 
 namespace thalweg::gencase {
@@ -198,7 +199,8 @@ bool is_survey(const fs::path& file) {
 }
 
 SurveyFile read_survey(const fs::path& file) {
-  if (!fs::is_regular_file(file))
+  require_plain_file(file, "a survey");
+  if (!fs::exists(file))
     throw InputError(file.string() + ": there is no such file; check the name, which is relative to the case's folder");
   const std::string extension = extension_of(file);
   const bool lists = extension == ".xyz" || extension == ".txt";

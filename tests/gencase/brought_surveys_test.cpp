@@ -61,6 +61,18 @@ class BroughtSurvey : public testing::Test {
   fs::path folder_;
 };
 
+TEST_F(BroughtSurvey, IsAPlainFile) {
+  const fs::path endless = fs::temp_directory_path() / ("endless_" + std::to_string(getpid()) + ".xyz");
+  fs::create_symlink("/dev/zero", endless);
+  try {
+    read_survey(endless);
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), endless.string() + ": is no plain file; give a survey that was written to the disk");
+  }
+  fs::remove(endless);
+}
+
 TEST_F(BroughtSurvey, ReadsEverySeparator) {
   for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
            {"a.csv", "x [m],y [m],z [m]\n0,1,0.5\n2,3,-0.5\n"},
