@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "case/check_context.hpp"
 #include "foam_reference/dictionary.hpp"
 #include "physics/water/log_profile.hpp"
 
@@ -25,6 +26,36 @@ std::string share_under_level(const FoamCase& foam_case, const Opening& opening)
   return fmt::format("min(max(({} - pos().z())/{} + 0.5, 0), 1)", level_of(opening), number(foam_case.plan.size().z()));
 }
 
+// Place of a face's centre across the opening, from its middle, as an expression [m].
+std::string place_across(const Opening& opening) {
+  const Vec3 across = opening.axes().across;
+  std::string text;
+  for (const int axis : {0, 1, 2}) {
+    if (std::abs(across[axis]) < 1e-6) continue;
+    if (!text.empty()) text += " + ";
+    text += fmt::format("({})*(pos().{}() - ({}))", number(across[axis]), axis_name(axis), number(opening.at[axis]));
+  }
+  return "(" + text + ")";
+}
+
+// A table over height and width as an expression: the row of each height, times a hat that falls to 0 at the next ones.
+std::string shape_of_section(const OpeningPatch& patch) {
+  const VelocitySection& section = patch.inlet->section;
+  const std::string height = height_over_edge(patch);
+  if (section.across.empty()) return over_time(section.heights, section.speeds, 0, height);
+  const std::string across = place_across(*patch.opening);
+  std::string text;
+  for (std::size_t row = 0; row < section.heights.size(); ++row) {
+    std::vector<double> hat(section.heights.size(), 0.0);
+    hat[row] = 1;
+    const auto begin = section.speeds.begin() + static_cast<std::ptrdiff_t>(row * section.across.size());
+    const std::vector<double> speeds(begin, begin + static_cast<std::ptrdiff_t>(section.across.size()));
+    if (!text.empty()) text += " + ";
+    text += over_time(section.heights, hat, 0, height) + "*" + over_time(section.across, speeds, 0, across);
+  }
+  return "(" + text + ")";
+}
+
 // Relative speed over the opening, as an expression.
 std::string shape_of(const FoamCase& foam_case, const OpeningPatch& patch) {
   const Inlet& inlet = *patch.inlet;
@@ -38,7 +69,7 @@ std::string shape_of(const FoamCase& foam_case, const OpeningPatch& patch) {
       return fmt::format("log(max({}/{}, 1))", height_over_edge(patch), number(origin));
     }
     case InletProfile::table:
-      return over_time(inlet.heights, inlet.speeds, 0, height_over_edge(patch));
+      return shape_of_section(patch);
   }
   return "1";
 }

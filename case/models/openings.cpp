@@ -36,12 +36,16 @@ double peak_of_profile(const Inlet& inlet) {
       break;
   }
   constexpr int parts = 100;
+  const int parts_across = inlet.section.across.empty() ? 1 : parts;
   double sum = 0;
   double peak = 0;
-  for (int part = 0; part < parts; ++part) {
-    const double speed = inlet.shape_at((part + 0.5) / parts * inlet.extent_up(), 0, 0, 0);
-    sum += speed / parts;
-    peak = std::max(peak, speed);
+  for (int up = 0; up < parts; ++up) {
+    for (int side = 0; side < parts_across; ++side) {
+      const double across = ((side + 0.5) / parts_across - 0.5) * inlet.extent_across(3);
+      const double speed = inlet.shape_at((up + 0.5) / parts * inlet.extent_up(), across, 0, 0, 0);
+      sum += speed / (parts * parts_across);
+      peak = std::max(peak, speed);
+    }
   }
   return sum > 0 ? peak / sum : 1;
 }

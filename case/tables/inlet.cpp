@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "case/case.hpp"
 #include "case/models/suspended_load.hpp"
@@ -45,6 +46,34 @@ void check_amount(const Inlet& inlet, const CheckContext& at) {
   if (!inlet.flow_rates.empty()) inlet.check_times(at, "flow_rates", inlet.flow_rates);
 }
 
+void check_increasing(const std::vector<double>& places, const std::string& key, const CheckContext& at) {
+  if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) == places.end()) return;
+  at.reject(at.key(key), at.key(key) + " do not increase", "sort them");
+}
+
+void check_section(const Inlet& inlet, const CheckContext& at) {
+  const auto& [heights, across, speeds] = inlet.section;
+  if (!inlet.profile_file.empty()) {
+    if (heights.empty() && across.empty() && speeds.empty()) return;  // read_files() checks what stands in the file
+    at.reject(at.key("profile_file"), at.path() + " says its profile twice", "give the file or the lists");
+  }
+  if (!across.empty() && speeds.size() != heights.size() * across.size()) {
+    at.reject(at.key("speeds"),
+              fmt::format("{} has {} heights, {} places across and {} speeds", at.path(), heights.size(), across.size(),
+                          speeds.size()),
+              "give one for each place across at the first height, at the second, and so on");
+  }
+  if (across.empty() && (heights.size() != speeds.size() || speeds.size() < 2)) {
+    at.reject(at.key("speeds"),
+              fmt::format("{} has {} heights and {} speeds", at.path(), heights.size(), speeds.size()),
+              "give as many of both, two at least");
+  }
+  check_increasing(heights, "heights", at);
+  check_increasing(across, "across", at);
+  if (std::any_of(speeds.begin(), speeds.end(), [](double speed) { return speed > 0; })) return;
+  at.reject(at.key("speeds"), at.key("speeds") + " are all 0", "give the speeds of the water");
+}
+
 void check_profile(const Inlet& inlet, const Case& whole, const CheckContext& at) {
   switch (inlet.profile) {
     case InletProfile::uniform:
@@ -60,17 +89,8 @@ void check_profile(const Inlet& inlet, const Case& whole, const CheckContext& at
       }
       return;
     case InletProfile::table:
-      if (inlet.heights.size() == inlet.speeds.size() && inlet.speeds.size() >= 2) break;
-      at.reject(at.key("speeds"),
-                fmt::format("{} has {} heights and {} speeds", at.path(), inlet.heights.size(), inlet.speeds.size()),
-                "give as many of both, two at least");
+      return check_section(inlet, at);
   }
-  for (std::size_t i = 1; i < inlet.heights.size(); ++i) {
-    if (inlet.heights[i] > inlet.heights[i - 1]) continue;
-    at.reject(at.key("heights"), at.key("heights") + " do not increase", "sort them");
-  }
-  if (*std::max_element(inlet.speeds.begin(), inlet.speeds.end()) > 0) return;
-  at.reject(at.key("speeds"), at.key("speeds") + " are all 0", "give the speeds of the water");
 }
 
 void check_grains(const Inlet& inlet, const Case& whole, const CheckContext& at) {
@@ -101,11 +121,13 @@ bool has_table(const Inlet& inlet) {
 
 /// Ends the message "KEY means nothing ...".
 std::string reason_against(const Inlet& inlet, const std::string& key, const CheckContext& at) {
-  const bool of_space = key == "width" || key == "diameter" || key == "flow_rate" || key == "flow_rates";
+  const bool of_space =
+      key == "across" || key == "width" || key == "diameter" || key == "flow_rate" || key == "flow_rates";
   if (of_space && at.dimension() == 2) return "in the plane";
   if (key == "times") return "without a table of velocities, discharges, flow_rates or levels";
   if (key == "absorbs_waves") return fmt::format("with surface = \"{}\"", word_for(inlet.surface));
-  if (key == "roughness" || key == "heights" || key == "speeds") {
+  if (key == "across" && inlet.profile == InletProfile::table) return "as it is empty";
+  if (key == "roughness" || key == "heights" || key == "across" || key == "speeds" || key == "profile_file") {
     return fmt::format("with profile = \"{}\"", word_for(inlet.profile));
   }
   if (key == "concentration" || key == "reference_height") {
@@ -138,6 +160,8 @@ bool Inlet::uses_key(std::string_view key, int dimension) const {
   if (key == "absorbs_waves") return surface == InletSurface::follow;
   if (key == "roughness") return profile == InletProfile::log_law;
   if (key == "heights" || key == "speeds") return profile == InletProfile::table;
+  if (key == "across") return profile == InletProfile::table && dimension == 3 && !section.across.empty();
+  if (key == "profile_file") return profile == InletProfile::table && !profile_file.empty();
   return key != "times" || has_table(*this);  // the rest: surface, profile
 }
 
@@ -173,7 +197,27 @@ void Inlet::check(const Case& whole, const CheckContext& at_table) const {
 }
 
 void Inlet::read_files(const std::filesystem::path& folder) {
-  if (file.empty()) return;
+  if (!profile_file.empty()) read_profile(folder);
+  if (!file.empty()) read_amounts(folder);
+}
+
+void Inlet::read_profile(const std::filesystem::path& folder) {
+  section = read_velocity_section(folder / profile_file);
+  const bool in_plane = extent_across(3) == 0;
+  if (in_plane && !section.across.empty()) {
+    throw InputError((folder / profile_file).string() + ": has the column across, and the case of inlet." + name +
+                     " lies in the plane; remove the column, with one row for each height");
+  }
+  if (section.heights.size() < 2 && section.across.size() < 2) {
+    throw InputError((folder / profile_file).string() + ": has less than two places; add some");
+  }
+  if (std::none_of(section.speeds.begin(), section.speeds.end(), [](double speed) { return speed > 0; })) {
+    throw InputError((folder / profile_file).string() + ": all speeds are 0; give the speeds of the water");
+  }
+  profile_file.clear();
+}
+
+void Inlet::read_amounts(const std::filesystem::path& folder) {
   const CsvTable table = CsvTable::read(folder / file);
   times = table.numbers("time", "s");
   if (table.has("flow_rate")) {
@@ -217,7 +261,8 @@ double Inlet::flow_rate_at(double time, double wetted_area, int dimension) const
   return wetted_area * value_at(times, velocities, time, velocity);
 }
 
-double Inlet::shape_at(double height_over_edge, double depth, double mean_velocity, double viscosity) const {
+double Inlet::shape_at(double height_over_edge, double place_across, double depth, double mean_velocity,
+                       double viscosity) const {
   switch (profile) {
     case InletProfile::uniform:
       return 1;
@@ -226,7 +271,7 @@ double Inlet::shape_at(double height_over_edge, double depth, double mean_veloci
       return friction > 0 ? log_profile(friction, height_over_edge, viscosity, roughness) : 0;
     }
     case InletProfile::table:
-      return value_at(heights, speeds, height_over_edge, 0);
+      return section.speed_at(height_over_edge, place_across);
   }
   return 0;
 }

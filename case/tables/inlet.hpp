@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/tables/opening.hpp"
+#include "case/tables/velocity_section.hpp"
 
 namespace thalweg {
 
@@ -26,7 +27,8 @@ inline constexpr std::array<Choice<InletProfile>, 3> choices(InletProfile) {
   return {
       {{InletProfile::uniform, "uniform", "the same velocity everywhere"},
        {InletProfile::log_law, "log-law", "the logarithmic profile over the opening's lower edge, with `roughness`"},
-       {InletProfile::table, "table", "in proportion to `speeds` at `heights`, linear between"}}};
+       {InletProfile::table, "table",
+        "in proportion to `speeds` at `heights`, linear between; in space also `across`"}}};
 }
 
 /// The words of inlet.grains.
@@ -58,9 +60,9 @@ struct Inlet : Opening {
   InletSurface surface = InletSurface::full;
   bool absorbs_waves = false;
   InletProfile profile = InletProfile::uniform;
-  double roughness = 0;         // [m]
-  std::vector<double> heights;  // [m]
-  std::vector<double> speeds;   // [m/s]
+  double roughness = 0;  // [m]
+  VelocitySection section;
+  std::string profile_file;
   InletGrains grains = InletGrains::none;
   double concentration = 0;     // [-]
   double reference_height = 0;  // [m]
@@ -87,8 +89,15 @@ struct Inlet : Opening {
         "more than the discharge; else they are thrown back. Mesh models always throw them back.");
     v.choice("profile", profile, "How the velocity varies over the opening.");
     v.quantity("roughness", roughness, "m", 0, 1, "profile = \"log-law\": Nikuradse's roughness of the ground below.");
-    v.quantities("heights", heights, "m", 0, 1e6, "profile = \"table\": heights over the opening's lower edge.");
-    v.quantities("speeds", speeds, "m/s", 0, 1e3, "profile = \"table\": speeds there; their ratios count.");
+    v.quantities("heights", section.heights, "m", 0, 1e6,
+                 "profile = \"table\": heights over the opening's lower edge.");
+    v.quantities("across", section.across, "m", -1e6, 1e6,
+                 "profile = \"table\", in space: places from the opening's middle to the left, as seen along the flow. "
+                 "`speeds` has then one for each of them at the first height, at the second, and so on.");
+    v.quantities("speeds", section.speeds, "m/s", 0, 1e3, "profile = \"table\": speeds there; their ratios count.");
+    v.text("profile_file", profile_file,
+           "In place of these three the table as CSV, relative to the case's folder: height [m], speed [m/s] and, in "
+           "space, across [m]; rows in any order.");
     v.choice("grains", grains, "Grains that the water brings; it needs suspended_load.carried_by = \"water\".");
     v.number("concentration", concentration, 0, 0.3, "grains = \"uniform\", \"rouse\": volume share of the grains.");
     v.quantity("reference_height", reference_height, "m", 0, 1e3,
@@ -103,12 +112,17 @@ struct Inlet : Opening {
 
   /// Volume per time [m^3/s] (2-D: [m^2/s]) at a time [s]; of `velocity` through a wetted area [m^2] (2-D: [m]).
   [[nodiscard]] double flow_rate_at(double time, double wetted_area, int dimension) const;
-  /// Relative speed at a height over the lower edge [m] under water of a depth [m] that flows with a mean velocity
-  /// [m/s]; viscosity [m^2/s].
-  [[nodiscard]] double shape_at(double height, double depth, double mean_velocity, double viscosity) const;
+  /// Relative speed at a height over the lower edge [m] and a place across [m], under water of a depth [m] that flows
+  /// with a mean velocity [m/s]; viscosity [m^2/s].
+  [[nodiscard]] double shape_at(double height, double place_across, double depth, double mean_velocity,
+                                double viscosity) const;
   /// Volume share of the grains there; settling velocity of one grain [m/s]. Not of those that come back, nor of a bed in equilibrium.
   [[nodiscard]] double concentration_at(double height, double depth, double mean_velocity, double viscosity,
                                         double settling_velocity) const;
+
+ private:
+  void read_profile(const std::filesystem::path& folder);
+  void read_amounts(const std::filesystem::path& folder);
 };
 
 }  // namespace thalweg

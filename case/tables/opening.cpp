@@ -9,6 +9,7 @@
 #include "case/case.hpp"
 #include "case/models/openings.hpp"
 #include "case/models/tilted_gravity.hpp"
+#include "case/tables/between.hpp"
 #include "case/tables/common_checks.hpp"
 #include "common/units.hpp"
 
@@ -64,13 +65,10 @@ void check_zone(const Opening& opening, const Case& whole, const CheckContext& a
 double value_at(const std::vector<double>& times, const std::vector<double>& values, double time, double otherwise) {
   if (values.empty()) return otherwise;
   // Tables of unequal length are refused, but other tables are checked against them before that is told.
-  const auto end = times.begin() + static_cast<std::ptrdiff_t>(std::min(times.size(), values.size()));
-  const auto after = std::upper_bound(times.begin(), end, time);
-  if (after == times.begin()) return values.front();
-  if (after == end) return values.back();
-  const auto row = static_cast<std::size_t>(after - times.begin());
-  const double share = (time - times[row - 1]) / (times[row] - times[row - 1]);
-  return values[row - 1] + share * (values[row] - values[row - 1]);
+  const std::size_t rows = std::min(times.size(), values.size());
+  if (rows == 0) return values.front();
+  const Between row = between(times, rows, time);
+  return row.mix(values[row.below], values[row.above()]);
 }
 
 bool Opening::is_place(std::string_view key) {

@@ -11,7 +11,7 @@
 namespace thalweg {
 
 /// Axes of an opening, each a unit vector: along the flow, upwards in the opening, and across it. Looking along the
-/// flow, `across` points to the right.
+/// flow, `across` points to the left.
 struct OpeningAxes {
   Vec3 flow = Vec3::UnitX();
   Vec3 up = Vec3::UnitZ();

@@ -142,6 +142,19 @@ TEST(InletConditions, BringTheDischargeInWaterAlone) {
                           ")), 1e-9)\"; value uniform (0 0 0);");
 }
 
+// Between its rows and columns the product of a hat over the height and a line over the width is the table's plane.
+TEST(InletConditions, VaryOverHeightAndWidth) {
+  Case scene = channel();
+  scene.inlets[0].profile = InletProfile::table;
+  scene.inlets[0].section = {{0, 0.1}, {-0.5, 0.5}, {1, 2, 3, 5}};
+  const FoamCase foam_case = make_foam_case(scene, 1);
+  const std::string up = "min(max(((pos().z() - 0) - 0)/0.1, 0), 1))";
+  const std::string across = "min(max((((1)*(pos().y() - (0))) - -0.5)/1, 0), 1))";
+  EXPECT_THAT(
+      velocity_at(foam_case, opening_patches(foam_case.scene).front()),
+      HasSubstr("((1 + (-1)*" + up + "*(1 + (1)*" + across + " + (0 + (1)*" + up + "*(3 + (2)*" + across + ")"));
+}
+
 TEST(InletConditions, FillAnOpeningOrStandAtALevel) {
   Case scene = channel();
   scene.inlets[0].surface = InletSurface::full;

@@ -298,7 +298,7 @@ class OpeningsOfCase final : public Openings {
       for (std::size_t c = 0; c < of.count; ++c) {
         const InletColumn& column = columns_[of.first + c];
         if (!column.is_full) continue;
-        shape[c] = of.inlet.shape_at(column.up + zones_[n].half_up, depth_in(n), mean, viscosity_);
+        shape[c] = of.inlet.shape_at(column.up + zones_[n].half_up, column.across, depth_in(n), mean, viscosity_);
         shaped += shape[c] * column.area;
       }
       for (std::size_t c = 0; c < of.count; ++c) {
