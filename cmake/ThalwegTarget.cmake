@@ -82,6 +82,9 @@ function(thalweg_test name)
   add_dependencies(tests_${ARG_LABEL} ${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main GTest::gmock)
   thalweg_settings(${name})
+  # With -O1 a file of tests compiles in half of the time (table_test.cpp 4.7 instead of 10.2 s). passes_test then runs 3.6 s
+  # instead of 3.4, critical_gradient_test 8.6 instead of 8.2. The libraries keep -O3.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * ${THALWEG_TEST_SLOWNESS}")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
