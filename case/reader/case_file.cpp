@@ -37,6 +37,7 @@ void hash_files(const toml::table& root, Case& of) {
         std::error_code unreadable;
         if (!fs::is_regular_file(of.folder / name, unreadable)) continue;  // gencase says so when it needs it
         const std::ifstream file(of.folder / name, std::ios::binary);
+        if (!file) continue;
         std::ostringstream content;
         content << file.rdbuf();
         of.file_hashes[name] = hash_of_text(content.str());

@@ -69,6 +69,9 @@ VelocitySection read_velocity_section(const std::filesystem::path& file) {
         "{}: no row has height {:g} m and across {:g} m; give one for each height at each place across", table.where(),
         section.heights[n / section.across.size()], section.across[n % section.across.size()]));
   }
+  if (section.speeds.size() < 2) throw InputError(table.where() + ": has less than two places; add some");
+  if (*std::max_element(section.speeds.begin(), section.speeds.end()) == 0)
+    throw InputError(table.where() + ": all speeds are 0; give the speeds of the water");
   if (!in_space) section.across.clear();
   return section;
 }

@@ -16,7 +16,8 @@ struct VelocitySection {
 };
 
 /// Reads a table with the columns height [m], speed [m/s] and, in space, across [m], its rows in any order. Throws
-/// InputError "file:line: what is wrong; what to do" if a number is missing or a place has no row or two.
+/// InputError "file:line: what is wrong; what to do" if a number is missing, a place has no row or two, there are less than two
+/// places, or nothing flows.
 VelocitySection read_velocity_section(const std::filesystem::path& file);
 
 }  // namespace thalweg

@@ -71,6 +71,8 @@ TEST_F(VelocitySectionFile, SaysWhichPlaceIsMissing) {
             ":1: no row has height 0.05 m and across 0 m; give one for each height at each place across");
   EXPECT_EQ(refused("height [m],across [m],speed [m/s]\n0,0,1\n0,0,1\n"),
             ":3: a row before it has the same place; remove one");
+  EXPECT_EQ(refused("height [m],across [m],speed [m/s]\n0,0,1\n"), ":1: has less than two places; add some");
+  EXPECT_EQ(refused("height [m],speed [m/s]\n0,0\n1,0\n"), ":1: all speeds are 0; give the speeds of the water");
   EXPECT_EQ(refused("height [m],speed [m/s]\n0,1\n,1\n"),
             ":3: the row lacks a number, or has a height or speed below 0; correct it");
   EXPECT_EQ(refused("height [m],speed [m/s]\n0,1\n0.1,-1\n"),
