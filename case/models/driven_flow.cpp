@@ -37,6 +37,10 @@ bool is_braked_by_artificial_viscosity(const Case& c) {
   return c.numerics.artificial_viscosity > 0 && c.numerics.smoothing_ratio < least_ratio_of_viscosity_switch;
 }
 
+bool is_guided_without_eddies(const Case& c) {
+  return c.flow.guide_length > 0 && c.model.turbulence != Turbulence::mixing_length;
+}
+
 /// Nothing takes the drive's momentum: the velocity would rise for ever.
 bool is_without_friction(const Case& c) {
   return c.flow.drive == Drive::slope && !c.has_sediment() && c.model.wall_friction == WallFriction::none;
@@ -59,6 +63,9 @@ std::vector<Rule> DrivenFlow::rules() {
            "a driven flow needs the water's viscosity for the friction of walls and beds", "give it"},
           {Mixture::is_on, "flow.drive", "the two sets of particles of a mixture cannot be driven",
            "write seepage = \"off\", or remove [flow]"},
+          {is_guided_without_eddies, "flow.guide_length",
+           "the guide zone takes the height over the ground from the mixing length",
+           "write turbulence = \"mixing-length\" in [model], or remove guide_length"},
           {is_braked_by_artificial_viscosity, "numerics.smoothing_ratio",
            "below a smoothing_ratio of 1.9 the artificial viscosity acts in shear and brakes the current",
            "write smoothing_ratio = 2, or artificial_viscosity = 0"}};

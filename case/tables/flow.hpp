@@ -39,9 +39,11 @@ struct Flow {
 
   Drive drive = Drive::off;
   std::string along = "x";
-  double slope = 0;      // [-]
-  double discharge = 0;  // [m^2/s]
-  double velocity = 0;   // [m/s]
+  double slope = 0;         // [-]
+  double discharge = 0;     // [m^2/s]
+  double velocity = 0;      // [m/s]
+  double guide_from = 0;    // [m]
+  double guide_length = 0;  // [m]
   FlowStart start = FlowStart::rest;
   std::vector<std::string> start_of;
 
@@ -53,6 +55,13 @@ struct Flow {
     v.quantity("discharge", discharge, "m^2/s", 0, 1000,
                "drive = \"discharge\": volume per time and width, the width being that of the water seen from above.");
     v.quantity("velocity", velocity, "m/s", 0, 100, "drive = \"velocity\": mean over the volume of the water.");
+    v.quantity(
+        "guide_length", guide_length, "m", 0, 1e6,
+        "Length of a zone that turns what comes around the period back into the current of an endless flume: over "
+        "it the water takes the logarithmic profile over the ground, at its own discharge. Behind a body the wake "
+        "would come around and meet it. 0: none. Mesh models have none.");
+    v.quantity("guide_from", guide_from, "m", -1e6, 1e6,
+               "Where the zone begins, along the flow; it may reach over the end of the period.");
     v.choice("start", start,
              "Velocity of the water at the start. It follows from the drive (without one, beside inlets, from "
              "`discharge` or "

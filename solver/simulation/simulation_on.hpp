@@ -203,7 +203,7 @@ ParticleSet SimulationOn<Dim, OnDevice>::full_state() {
   add_full_state(on_, p_, scene_, out);
   work_.population.add_to(out);
   if (scene_.may_rest) add_rest(work_, out);
-  if (scene_.current.on) add_control(on_.read(work_.control.data()), out);
+  if (scene_.current.on) add_current(on_, work_, scene_, out);
   if (scene_.has_openings) add_openings(on_, work_, out);
   if (scene_.surface_bed.on) add_surface_bed(on_, work_, out);
   return out;

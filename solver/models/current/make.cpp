@@ -34,6 +34,20 @@ WaterBody water_of(const SceneSource& from, int component) {
   return body;
 }
 
+GuideZone guide_zone_of(const Case& of, double viscosity, double roughness) {
+  const Flow& flow = of.flow;
+  const int axis = flow.component();
+  GuideZone zone;
+  zone.on = flow.guide_length > 0;
+  zone.component = axis;
+  zone.from = flow.guide_from;
+  zone.length = flow.guide_length;
+  zone.period = of.domain.to[axis] - of.domain.from[axis];
+  zone.viscosity = viscosity;
+  zone.roughness = roughness;
+  return zone;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -49,14 +63,17 @@ void CurrentModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const double roughness = roughness_of_current(from.of);
   CurrentControl& start = current.start;
   start.velocity = water.mass > 0 ? water.momentum / water.mass : 0;
+  current.guide = guide_zone_of(from.of, viscosity, roughness);
   if (flow.drive == Drive::slope) {
     start.acceleration = from.of.domain.gravity.norm() * flow.slope;
+    current.start_friction = std::sqrt(start.acceleration * depth);
     return;
   }
   current.controlled = true;
   start.target = flow.drive == Drive::velocity ? flow.velocity : flow.discharge / depth;
   const double friction = friction_velocity_of_current(start.target, depth, viscosity, roughness);
   const double present = friction_velocity_of_current(start.velocity, depth, viscosity, roughness);
+  current.start_friction = friction;
   start.time = 0.1 * depth / friction;
   start.drag = present * present / depth;
   start = started(start);

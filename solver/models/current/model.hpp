@@ -2,6 +2,7 @@
 
 #include "solver/backend/buffer.hpp"
 #include "solver/models/current/drive.hpp"
+#include "solver/models/current/guide.hpp"
 #include "solver/models/current/scene.hpp"
 #include "solver/state/report.hpp"
 
@@ -13,6 +14,7 @@ struct SceneSource;
 template <class Device>
 struct CurrentWork {
   typename Device::template Buffer<CurrentControl> control;  // one
+  typename Device::template Buffer<Guide> guide;             // one; empty without a zone
 };
 
 /// A current that something drives around a period: [flow].
@@ -36,6 +38,8 @@ struct CurrentModel {
     auto& p = step.p;
     step.on.for_each(p.fluid_count, DrivePass{p.record.data(), p.rates.data(), step.work.control.data(),
                                               step.scene.current.component});
+    if (!step.scene.current.guide.on) return;
+    guide_current(step.on, p, p.rates.data(), step.scene, step.work.guide.data());
   }
   template <class C>
   static void after_step(C& step) {
@@ -44,10 +48,20 @@ struct CurrentModel {
   }
 };
 
-/// Brings the control to the device.
+/// Brings control and guide to the device.
 template <int Dim, class Device>
 void load_control(Device& on, CurrentWork<Device>& work, const Scene<Dim>& scene, const ParticleSet& from) {
   on.upload(HostBuffer<CurrentControl>{control_of(from, scene.current)}, work.control);
+  if (scene.current.guide.on) on.upload(HostBuffer<Guide>{guide_of_run(from, scene.current)}, work.guide);
+}
+
+/// Adds them to a checkpoint.
+template <int Dim, class Device>
+void add_current(Device& on, const CurrentWork<Device>& work, const Scene<Dim>& scene, ParticleSet& to) {
+  add_control(on.read(work.control.data()), to);
+  if (!scene.current.guide.on) return;
+  const Guide guide = on.read(work.guide.data());
+  to.facts[guide_fact] = {guide.friction, guide.scale, guide.rate, guide.next};
 }
 
 /// Adds velocity and drive of the current to the sums over the fluid.

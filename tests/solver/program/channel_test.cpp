@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "physics/water/log_profile.hpp"
 #include "tests/solver/case_run.hpp"
 #include "tests/solver/program/broken_run.hpp"
+#include "tests/solver/program/row_speeds.hpp"
 
 // A driven flow: control, start, restart. `thalweg validate cases/channel` holds it against the logarithmic law.
 namespace thalweg {
@@ -53,6 +55,62 @@ TEST(ControlledChannel, ContinuesBitForBit) {
   EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
   ASSERT_TRUE(ends.straight.facts.contains("CurrentControl"));
   EXPECT_EQ(ends.straight.facts.at("CurrentControl"), ends.joined.facts.at("CurrentControl"));
+}
+
+const std::vector<std::string> guide = {"flow.guide_from=\"0.65 m\"", "flow.guide_length=\"0.25 m\""};
+
+/// Deviation of the profile 0.1 to 0.2 m before the block from the logarithmic one, over the mean velocity, from 15 s on.
+double deviation_before_the_block(const std::string& name, const std::vector<std::string>& overrides) {
+  test::CaseRun run(name);
+  run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/program/channel/block.toml", overrides);
+  EXPECT_EQ(run_solver(run.options()), Exit::done);
+  const auto speeds = test::row_speeds(test::snapshots_from(run, 15), run.scene().numerics.spacing, {0.15, 0.25});
+  const double mean = std::accumulate(speeds.begin(), speeds.end(), 0.0) / static_cast<double>(speeds.size());
+  const double friction = friction_velocity_of_current(mean, 0.1, 1e-6, 1e-3);
+  double square = 0;
+  for (std::size_t row = 0; row < speeds.size(); ++row) {
+    const double law = log_profile(friction, (static_cast<double>(row) + 0.5) * 0.01, 1e-6, 1e-3);
+    square += (speeds[row] / mean - law / mean) * (speeds[row] / mean - law / mean);
+  }
+  return std::sqrt(square / static_cast<double>(speeds.size()));
+}
+
+TEST(GuideZone, TakesTheWakeOutThatComesAround) {
+  // A block of 0.2 H in a period of 8 H at a Froude number of 0.33. The mean of the logarithmic profile over the rows is
+  // that of the flow within 0.3 %.
+  EXPECT_LT(deviation_before_the_block("guided", guide), 0.02);
+  EXPECT_GT(deviation_before_the_block("not_guided", {}), 0.03);
+}
+
+TEST(GuideZone, NeitherDrivesNorBrakes) {
+  // In a channel without a body there is nothing to guide: the drive that keeps its velocity stays u*^2/H.
+  const std::string scene = THALWEG_SOURCE_DIR "/tests/solver/program/channel/driven.toml";
+  test::CaseRun run("guided_channel");
+  run.fill_from(scene, {"domain.to=[\"0.4 m\", \"0.2 m\"]", "shape.floor.to=[\"0.4 m\", \"0 m\"]",
+                        "shape.water.to=[\"0.4 m\", \"0.1 m\"]", "flow.guide_from=\"0.3 m\"",
+                        "flow.guide_length=\"0.2 m\"", "output.end=\"6 s\""});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const CsvTable history = CsvTable::read(run.folder().history());
+  const auto t = history.numbers("time", "s");
+  const auto drive = history.numbers("drive", "m/s^2");
+  double mean = 0;
+  int rows = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t[i] > 2) mean += drive[i], ++rows;
+  }
+  const double friction = friction_velocity_of_current(0.7, 0.1, 1e-6, 1e-3);
+  EXPECT_NEAR(mean / rows, friction * friction / 0.1, 0.05 * friction * friction / 0.1);
+}
+
+TEST(GuideZone, ContinuesBitForBit) {
+  const std::string scene = THALWEG_SOURCE_DIR "/tests/solver/program/channel/block.toml";
+  test::TwoEnds ends;
+  std::vector<std::string> options = {"output.end=\"0.4 s\"", "output.interval=\"0.2 s\""};
+  options.insert(options.end(), guide.begin(), guide.end());
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(scene, options, "0.2 s", ends));
+  EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
+  ASSERT_TRUE(ends.straight.facts.contains("GuideZone"));
+  EXPECT_EQ(ends.straight.facts.at("GuideZone"), ends.joined.facts.at("GuideZone"));
 }
 
 TEST(DrivenFlow, KeepsItsVelocityOverABedAtRest) {
