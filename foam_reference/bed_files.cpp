@@ -1,13 +1,35 @@
 // The eroding bed's parts of a case: constant/fvOptions, and the entry of system/controlDict that moves it.
 #include "foam_reference/bed_files.hpp"
 
+#include <fmt/format.h>
+
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/current.hpp"
 #include "foam_reference/dictionary.hpp"
 #include "foam_reference/library/dictionary_words.hpp"
+#include "foam_reference/openings.hpp"
 #include "physics/transport/critical_shields.hpp"
 
 namespace thalweg::foam {
+
+namespace {
+
+/// The columns beside inlets that bring bed load keep their level: the entry `fed`, boxes one cell deep. They are the
+/// equilibrium, whatever the inlet asks for.
+std::string fed_entry(const FoamCase& foam_case) {
+  std::string boxes;
+  for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
+    if (patch.inlet == nullptr || patch.inlet->bed_load == InletBedLoad::none) continue;
+    Bounds box = bounds_of(patch, foam_case.plan, foam_case.scene.info.dimension);
+    const int axis = static_cast<int>(patch.face / 2);
+    (patch.face % 2 == 0 ? box.high : box.low)[axis] += (patch.face % 2 == 0 ? 1 : -1) * foam_case.plan.cell;
+    boxes += fmt::format(" (({} {} 0) ({} {} 0))", number(box.low.x()), number(box.low.y()), number(box.high.x()),
+                         number(box.high.y()));
+  }
+  return boxes.empty() ? "" : "        fed             (" + boxes + " );  // columns that keep their level\n";
+}
+
+}  // namespace
 
 std::string eroding_bed_function(const FoamCase& foam_case) {
   const Case& scene = foam_case.scene;
@@ -28,7 +50,7 @@ std::string eroding_bed_function(const FoamCase& foam_case) {
         slopeEffect     %slope_effect%;
         pickUp          %pick_up%;
         drag            %drag%;  // [1/s] on water in the bed
-        columns
+%fed%        columns
         {
 %columns%        }
         writeControl    writeTime;
@@ -46,6 +68,7 @@ std::string eroding_bed_function(const FoamCase& foam_case) {
                      {"slope_effect", dictionary_word(scene.model.slope_effect)},
                      {"pick_up", dictionary_word(scene.foam.pick_up)},
                      {"drag", number(bed_drag)},
+                     {"fed", fed_entry(foam_case)},
                      {"columns", columns_entries(foam_case.plan, "            ")}});
 }
 

@@ -67,6 +67,13 @@ erodingBed::erodingBed(const word& name, const Time& time, const dictionary& dic
   bed_.grains = columns_.volume_of(bed_share_.primitiveField());
   for (double& grains : bed_.grains) grains *= bed_.packing;
   const auto columns = at(bed_.grid.columns());
+  bed_.end.assign(columns, BedEnd::closed);
+  for (const Pair<point>& box : dict.getOrDefault<List<Pair<point>>>("fed", List<Pair<point>>())) {
+    for (int column = 0; column < bed_.grid.columns(); ++column) {
+      const point place(columns_.centre(column, 0), columns_.centre(column, 1), box.first().z());
+      if (boundBox(box.first(), box.second()).contains(place)) bed_.end[at(column)] = BedEnd::fed;
+    }
+  }
   stress_.resize(columns);
   critical_.assign(columns, 0);
   pick_up_.assign(columns, 0);
@@ -270,10 +277,10 @@ void erodingBed::write_balance() {
     balance_ = std::make_unique<OFstream>(folder / "grains.dat");
     balance_->precision(15);
     *balance_ << "# volumes of grains [m^3], elevations [m]" << nl
-              << "# time [s]  bed  suspended  left  lowest  highest" << endl;
+              << "# time [s]  bed  suspended  left, less what inlets have fed  lowest  highest" << endl;
   }
-  *balance_ << time_.timeOutputValue() << tab << bed_.total() << tab << suspended_volume << tab << left_ << tab << low
-            << tab << high << endl;
+  *balance_ << time_.timeOutputValue() << tab << bed_.total() << tab << suspended_volume << tab << left_ - bed_.fed
+            << tab << low << tab << high << endl;
 }
 
 bool erodingBed::write() {
