@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -21,6 +22,8 @@ struct PlacedOpening {
   double length;  // of its zone [m]
   bool in_space;
   bool falls = false;  // an outlet that holds nothing back
+  bool feeds = false;  // an inlet that brings bed load, in the highest row of the ground under its zone
+  double row = 0;      // [m] height of the middle of that row over the centre of the opening
 
   /// Coordinates of a place along the flow, upwards and across, from the centre of the opening [m].
   [[nodiscard]] Vec3 coordinates(const Vec3& place) const {
@@ -35,16 +38,26 @@ struct PlacedOpening {
   }
   /// True if water stands in the zone.
   [[nodiscard]] bool holds_water() const { return !falls; }
+  /// True if a place lies in the row that is the bed load's, across the opening's width; spacing [m] of the lattice.
+  [[nodiscard]] bool is_in_row(const Vec3& at, double spacing) const {
+    return std::abs(at.y() - row) < 0.5 * spacing && (!in_space || std::abs(at.z()) <= 0.5 * opening->extent_across(3));
+  }
   [[nodiscard]] std::string name() const {
     return fmt::format("{}.{}", enters ? Inlet::heading.name : Outlet::heading.name, opening->name);
   }
 };
 
-std::vector<PlacedOpening> placed_openings(const Case& scene) {
+std::vector<PlacedOpening> placed_openings(const Case& scene, const Vec3& node) {
   std::vector<PlacedOpening> placed;
   const double length = zone_length(scene);
   const bool in_space = scene.info.dimension == 3;
-  for (const Inlet& inlet : scene.inlets) placed.push_back({&inlet, inlet.axes(), true, length, in_space});
+  for (const Inlet& inlet : scene.inlets) {
+    placed.push_back({&inlet, inlet.axes(), true, length, in_space});
+    PlacedOpening& opening = placed.back();
+    opening.feeds = inlet.bed_load != InletBedLoad::none;
+    const Vec3 moved = centre_on_lattice(inlet, scene, node) - inlet.at;
+    opening.row = moved.dot(opening.axes.up) - 0.5 * inlet.extent_up() - 0.5 * scene.numerics.spacing;
+  }
   for (const Outlet& outlet : scene.outlets) {
     placed.push_back({&outlet, outlet.axes(), false, length, in_space, outlet.kind == OutletKind::fall});
   }
@@ -56,7 +69,9 @@ struct InZone {
   std::int64_t cleared = 0;
   std::int64_t walls = 0;  // in the opening itself or in its zone
   std::int64_t behind = 0;
-  std::int64_t bare = 0;  // of sediment past the plane: where the zone ends, no water presses on it
+  std::int64_t bare = 0;    // of sediment past the plane: where the zone ends, no water presses on it
+  std::int64_t ground = 0;  // of walls, where bed load comes in
+  bool begins = false;      // a bed begins behind the plane, as high as that
   Vec3 sediment = Vec3::Zero();
   Vec3 wall = Vec3::Zero();
   Vec3 water = Vec3::Zero();
@@ -73,7 +88,15 @@ void take_node(const Case& scene, const std::vector<PlacedShape>& shapes, const 
   const double rounding = 1e-6 * spacing;
   const bool fluid = is_fluid_node(shapes, label);
   const double along = opening.enters ? -in.x() : in.x();  // away from the scene
-  if (along < -rounding) return;
+  if (opening.feeds && opening.is_in_row(in, spacing)) {
+    const bool sediment = fluid && shapes[label - 1U].shape->role == ShapeRole::sediment;
+    found.begins = found.begins || (sediment && along < 0 && -along < 1.5 * spacing);
+    if (along > 0 && along < opening.length && !fluid) {
+      label = nothing;
+      ++found.ground;
+    }
+  }
+  if (along < -rounding || label == nothing) return;
   if (!fluid) {
     // A wall may touch the opening's rim; it closes it where it reaches half a spacing inwards.
     if (along > opening.length || !opening.is_in_section(in, 0.51 * spacing)) return;
@@ -131,10 +154,38 @@ void check_apart(const Case& scene, const std::vector<PlacedOpening>& openings) 
   }
 }
 
+/// Number of particles of bed load that stand in a zone.
+std::int64_t particles_of_bed_load(const Case& scene, const PlacedOpening& opening) {
+  const double spacing = scene.numerics.spacing;
+  const auto along = static_cast<std::int64_t>(std::floor(opening.length / spacing));
+  const auto across =
+      opening.in_space ? std::max<std::int64_t>(1, std::llround(opening.opening->extent_across(3) / spacing)) : 1;
+  return along * across;
+}
+
+void check_ground(const Case& scene, const PlacedOpening& opening, const InZone& found, const Notes& notes) {
+  if (!opening.feeds) return;
+  const std::int64_t needed = particles_of_bed_load(scene, opening);
+  if (found.ground < needed) {
+    throw InputError(fmt::format(
+        "{}: {}: {} of {} particles of ground lie under its zone of {}, as high as its lower edge, where its bed load "
+        "comes in; let a wall go on under the zone, as high as the bed",
+        scene.file.string(), opening.name(), found.ground, needed, format_quantity(opening.length, "m")));
+  }
+  if (!found.begins) {
+    throw InputError(fmt::format(
+        "{}: {}: its bed load comes in and no bed begins at its plane, as high as its lower edge; let the bed begin "
+        "there, or write bed_load = \"none\"",
+        scene.file.string(), opening.name()));
+  }
+  notes.say(
+      fmt::format("{}: {} particles of the ground under its zone give way to bed load", opening.name(), found.ground));
+}
+
 }  // namespace
 
 void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, Filling& filling, const Notes& notes) {
-  const std::vector<PlacedOpening> openings = placed_openings(scene);
+  const std::vector<PlacedOpening> openings = placed_openings(scene, filling.lattice.position({}));
   if (openings.empty()) return;
   check_apart(scene, openings);
   for (const PlacedOpening& opening : openings) {
@@ -157,6 +208,7 @@ void clear_openings(const Case& scene, const std::vector<PlacedShape>& shapes, F
           "presses on a bed where the zone ends",
           scene.file.string(), opening.name(), placed_text(scene, found.sediment)));
     }
+    check_ground(scene, opening, found, notes);
     if (found.cleared > 0) {
       notes.say(fmt::format("{}: {} particles are taken out {} its zone of {}{}", opening.name(), found.cleared,
                             opening.enters ? "of" : "behind", format_quantity(opening.length, "m"),

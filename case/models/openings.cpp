@@ -50,6 +50,20 @@ double peak_of_profile(const Inlet& inlet) {
   return sum > 0 ? peak / sum : 1;
 }
 
+/// Way [m] from the lower edge of a length `half` to both sides of `at` to the nearest boundary between two cells of the
+/// lattice; 0 along a slanting direction, and along one in which the domain repeats itself: there an opening may be as wide
+/// as the period.
+Vec3 way_to_lattice(const Vec3& at, const Vec3& direction, double half, const Vec3& node, const Case& of) {
+  const double spacing = of.numerics.spacing;
+  Eigen::Index axis = 0;
+  if (direction.cwiseAbs().maxCoeff(&axis) < 1 - 1e-9) return Vec3::Zero();
+  if (of.domain.is_periodic(static_cast<int>(axis))) return Vec3::Zero();
+  const double edge = at[axis] - direction[axis] * half;
+  const double cells = (edge - node[axis]) / spacing - 0.5;
+  const double way = (std::round(cells) - cells) * spacing;
+  return std::abs(way) > 1e-6 * spacing ? Vec3(way * Vec3::Unit(axis)) : Vec3(Vec3::Zero());
+}
+
 }  // namespace
 
 double largest_inlet_speed(const Inlet& inlet, const Case& of) {
@@ -75,6 +89,16 @@ bool is_supercritical(const Outlet& outlet, const Case& c) {
   const double depth = lowest - outlet.lower_edge();
   const double velocity = entering / (depth * outlet.extent_across(c.info.dimension));
   return depth > 0 && velocity > std::sqrt(c.domain.gravity.norm() * depth);
+}
+
+Vec3 centre_on_lattice(const Opening& opening, const Case& of, const std::optional<Vec3>& lattice_node) {
+  if (!lattice_node || opening.is_round()) return opening.at;
+  const OpeningAxes axes = opening.axes();
+  Vec3 at = opening.at + way_to_lattice(opening.at, axes.up, 0.5 * opening.extent_up(), *lattice_node, of);
+  if (of.info.dimension == 3) {
+    at += way_to_lattice(opening.at, axes.across, 0.5 * opening.extent_across(of.info.dimension), *lattice_node, of);
+  }
+  return at;
 }
 
 namespace models {

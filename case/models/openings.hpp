@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "case/models/rule.hpp"
@@ -12,6 +13,11 @@ namespace thalweg {
 /// neighbour lists and two spacings. What crosses the plane finds all its neighbours, also while births wait for new
 /// lists (solver/domain/population.hpp).
 double zone_length(const Case& of);
+
+/// The centre of an opening [m] as gencase and solver place it: the lower edge, and in space the side, of a rectangular one
+/// lie on the nearest boundary between two cells of the lattice. lattice_node [m]: a node of it; without one the opening
+/// stands where the case says.
+Vec3 centre_on_lattice(const Opening& opening, const Case& of, const std::optional<Vec3>& lattice_node);
 
 /// The largest speed with which water enters through an inlet [m/s], profile and hydrograph included.
 double largest_inlet_speed(const Inlet& inlet, const Case& of);

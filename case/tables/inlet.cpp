@@ -5,7 +5,10 @@
 #include <functional>
 
 #include "case/case.hpp"
+#include "case/models/openings.hpp"
+#include "case/models/surface_bed.hpp"
 #include "case/models/suspended_load.hpp"
+#include "case/models/three_state.hpp"
 #include "case/tables/common_checks.hpp"
 #include "case/tables/time_table.hpp"
 #include "common/csv.hpp"
@@ -115,6 +118,42 @@ void check_grains(const Inlet& inlet, const Case& whole, const CheckContext& at)
   }
 }
 
+void check_bed_load(const Inlet& inlet, const Case& whole, const CheckContext& at) {
+  if (inlet.bed_load == InletBedLoad::none) return;
+  const std::string key = at.key("bed_load");
+  if (models::SurfaceBedOfCase::is_on(whole)) {
+    at.reject(key, at.path() + " brings bed load onto a bed that is a surface, which asks for its own",
+              "give surface_bed.feed, and remove bed_load");
+  }
+  if (!models::ThreeState::is_on(whole) || whole.model.implementation != Implementation::law) {
+    at.reject(key, at.path() + " brings bed load, and the bed carries none by a law",
+              "write sediment = \"three-state\" in [model], without another implementation");
+  }
+  if (inlet.is_round() || std::abs(inlet.axes().flow.z()) > 1e-6) {
+    at.reject(key, at.path() + " brings bed load and is no upright rectangle",
+              "let its direction be horizontal, and give height and width");
+  }
+  if (inlet.bed_load == InletBedLoad::recirculated && whole.outlets.empty()) {
+    at.reject(key, at.path() + " brings back what has left through the outlets, and there is none",
+              "add an [[outlet]], or write bed_load = \"equilibrium\"");
+  }
+  if (inlet.bed_load != InletBedLoad::fixed) return;
+  if (!(inlet.bed_load_rate > 0)) {
+    at.reject(key, at.path() + " brings a fixed bed load without a rate",
+              "give bed_load_rate, or write \"equilibrium\"");
+  }
+  const double layer = (1 - whole.sediment().porosity) * whole.numerics.spacing;
+  const double fastest = largest_inlet_speed(inlet, whole);
+  if (inlet.bed_load_rate > fastest * layer) {
+    at.reject(
+        at.key("bed_load_rate"),
+        fmt::format("{} brings more bed load than a layer of one spacing carries that moves as fast as the water, "
+                    "{:.3g} m^2/s",
+                    at.path(), fastest * layer),
+        "give less");
+  }
+}
+
 bool has_table(const Inlet& inlet) {
   return !inlet.velocities.empty() || !inlet.discharges.empty() || !inlet.flow_rates.empty() || !inlet.levels.empty();
 }
@@ -133,6 +172,7 @@ std::string reason_against(const Inlet& inlet, const std::string& key, const Che
   if (key == "concentration" || key == "reference_height") {
     return fmt::format("with grains = \"{}\"", word_for(inlet.grains));
   }
+  if (key == "bed_load_rate") return fmt::format("with bed_load = \"{}\"", word_for(inlet.bed_load));
   if (key == "level" && inlet.surface == InletSurface::level) return "beside levels";
   if (key == "level" || key == "levels") return fmt::format("with surface = \"{}\"", word_for(inlet.surface));
   return "as it is empty or 0";
@@ -155,6 +195,7 @@ bool Inlet::uses_key(std::string_view key, int dimension) const {
   if (key == "file") return !file.empty();
   if (key == "concentration") return grains == InletGrains::uniform || grains == InletGrains::rouse;
   if (key == "reference_height") return grains == InletGrains::rouse;
+  if (key == "bed_load_rate") return bed_load == InletBedLoad::fixed;
   if (key == "level") return surface == InletSurface::level && levels.empty();
   if (key == "levels") return surface == InletSurface::level && !levels.empty();
   if (key == "absorbs_waves") return surface == InletSurface::follow;
@@ -194,6 +235,7 @@ void Inlet::check(const Case& whole, const CheckContext& at_table) const {
   }
   check_profile(*this, whole, at_table);
   check_grains(*this, whole, at_table);
+  check_bed_load(*this, whole, at_table);
 }
 
 void Inlet::read_files(const std::filesystem::path& folder) {

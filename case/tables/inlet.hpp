@@ -44,6 +44,17 @@ inline constexpr std::array<Choice<InletGrains>, 5> choices(InletGrains) {
            {InletGrains::recirculated, "recirculated", "it brings the grains back that water has taken out"}}};
 }
 
+/// The words of inlet.bed_load.
+enum class InletBedLoad { none, fixed, equilibrium, recirculated };
+
+inline constexpr std::array<Choice<InletBedLoad>, 4> choices(InletBedLoad) {
+  return {
+      {{InletBedLoad::none, "none", "none comes in: a bed that moves is eaten away behind the inlet"},
+       {InletBedLoad::fixed, "fixed", "as much as `bed_load_rate` says"},
+       {InletBedLoad::equilibrium, "equilibrium", "as much as the bed carries four to ten spacings behind the inlet"},
+       {InletBedLoad::recirculated, "recirculated", "what has left the scene through its outlets comes back"}}};
+}
+
 /// One [[inlet]]: an opening through which water enters.
 struct Inlet : Opening {
   static constexpr TableHeading heading{
@@ -66,6 +77,8 @@ struct Inlet : Opening {
   InletGrains grains = InletGrains::none;
   double concentration = 0;     // [-]
   double reference_height = 0;  // [m]
+  InletBedLoad bed_load = InletBedLoad::none;
+  double bed_load_rate = 0;  // [m^2/s]
 
   template <class V>
   void describe(V& v) {
@@ -102,6 +115,11 @@ struct Inlet : Opening {
     v.number("concentration", concentration, 0, 0.3, "grains = \"uniform\", \"rouse\": volume share of the grains.");
     v.quantity("reference_height", reference_height, "m", 0, 1e3,
                "grains = \"rouse\": height over the lower edge at which the water has the concentration, and below.");
+    v.choice("bed_load", bed_load,
+             "Bed load that comes in below the water, onto a bed of particles that begins at the inlet's plane. The "
+             "ground under the zone is a wall as high as the bed; its highest row of particles is the moving layer.");
+    v.quantity("bed_load_rate", bed_load_rate, "m^2/s", 0, 10,
+               "bed_load = \"fixed\": volume of the grains, without pores, per time and width.");
   }
 
   [[nodiscard]] bool uses_key(std::string_view key, int dimension) const;

@@ -63,6 +63,10 @@ void announce_flow(const Case& c) {
   announce("flow.drive", c.flow.drive);
   spdlog::info("flow along {}: smoothing_ratio {:g}, artificial_viscosity {:g}; history.csv has its velocity and drive",
                c.flow.along, c.numerics.smoothing_ratio, c.numerics.artificial_viscosity);
+  if (c.flow.guide_length > 0) {
+    spdlog::info("flow: guided towards the logarithmic profile over {} from {} = {}",
+                 format_quantity(c.flow.guide_length, "m"), c.flow.along, format_quantity(c.flow.guide_from, "m"));
+  }
   if (c.model.sediment == SedimentModel::three_state && c.model.implementation == Implementation::law) {
     spdlog::info("flow: the surface of beds less steep than grains stand is held against the pressure of the water");
   }
@@ -80,6 +84,9 @@ void announce_openings(const Case& c) {
                  fmt::format("{:.4g} {} at the start, profile {}, surface {}{}", rate,
                              c.info.dimension == 2 ? "m^2/s" : "m^3/s", word_for(inlet.profile),
                              word_for(inlet.surface), inlet.absorbs_waves ? ", waves leave through it" : ""));
+    if (inlet.bed_load != InletBedLoad::none) {
+      announce_one("inlet", inlet, fmt::format("bed load {}", word_for(inlet.bed_load)));
+    }
   }
   for (const Outlet& outlet : c.outlets) announce_one("outlet", outlet, word_for(outlet.kind));
 }

@@ -14,7 +14,7 @@
 // deposit; places move, and densities change, with velocity plus drift.
 namespace thalweg {
 
-/// Particle pass: the drift of parcels in suspension, sink(), and over the surface of the bed the drift u_d of bed load, into the work quad, from that of the last step.
+/// Particle pass: the drift of parcels in suspension, sink(), of an inlet's, as it says, and over the surface of the bed the drift u_d of bed load, into the work quad, from that of the last step.
 ///   target   q_b(theta, theta_cr)/((1 - n) dp) along the water's velocity over the bed (bed_load_drift.hpp)
 ///   u_d      (1 - f) target + f sum_b w u_d,b/sum_b w,  w = V_b W (r.e)+ over the surface upstream, where a bed that
 ///            does not move, or a wall, sends nothing;  f = L/(L + l),  l = sum w (r.e)/sum w
@@ -25,18 +25,23 @@ namespace thalweg {
 template <int Dim>
 struct BedLoadDriftPass {
   using neighbours = Neighbours<field::place, field::matter, field::drift, field::bed>;
-  using reads = Reads<field::place, field::flow, field::matter, field::bed>;
+  using reads = Reads<field::place, field::flow, field::matter, field::bed, field::role>;
   using writes = Writes<field::drift_velocity>;
 
   Record* records;
   const BedSurface* bed;
   const Drift* drift;
+  const Role* roles;  // nullptr without openings
   ClusterList list;
   Scene<Dim> scene;
 
   HOST_DEVICE void operator()(Index i) const {
     Record& r = records[i];
     if (r.volume == 0) return;
+    if (roles != nullptr && roles[i] == Role::prescribed) {
+      for (int c = 0; c < 3; ++c) r.work[c] = drift[i].velocity[c];
+      return;
+    }
     const BedSurface& s = bed[i];
     if (is_in_suspension(r, s)) return sink(r, s);
     if (r.kind != kind::bed_load) return;
@@ -171,7 +176,7 @@ void find_drift(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
   on.for_each(p.count, declare<Reads<>, Writes<field::drift_velocity>>([=] HOST_DEVICE(Index i) {
                 for (float& w : records[i].work) w = 0;
               }));
-  const BedLoadDriftPass<Dim> pass{records, p.bed.data(), drift, p.list(), scene};
+  const BedLoadDriftPass<Dim> pass{records, p.bed.data(), drift, p.roles(), p.list(), scene};
   using Pass = BedLoadDriftPass<Dim>;
   on.for_each(p.fluid_count, declare<typename Pass::neighbours, typename Pass::reads, typename Pass::writes>(
                                  [=] HOST_DEVICE(Index i) { pass(i); }));

@@ -8,6 +8,7 @@
 #include "case/models/openings.hpp"
 #include "physics/water/equation_of_state.hpp"
 #include "solver/models/openings/inlet_columns.hpp"
+#include "solver/models/openings/make_bed_feeds.hpp"
 #include "solver/models/openings/make_grains_of_inlets.hpp"
 #include "solver/models/openings/make_zone.hpp"
 #include "solver/models/openings/waves_out.hpp"
@@ -23,10 +24,6 @@ struct InletWithColumns {
   double cell = 0;  // [m^2] cross-section of a column (2-D: [m])
 };
 
-Index parts_of(double length, double spacing) {
-  return static_cast<Index>(std::max(1.0, std::round(length / spacing)));
-}
-
 class OpeningsOfCase final : public Openings {
  public:
   OpeningsOfCase(const Case& of, const std::optional<Vec3>& lattice_node)
@@ -38,13 +35,11 @@ class OpeningsOfCase final : public Openings {
         stiffness_(tait_stiffness(of.water.density, of.numerics.sound_speed_factor * of.numerics.maximum_speed)),
         layers_(static_cast<int>(std::floor(zone_length(of) / of.numerics.spacing))),
         grains_of_inlets_(of),
+        bed_feeds_(of),
         outlets_(of.outlets) {
     for (const Inlet& inlet : of.inlets) add(inlet, of, lattice_node);
     for (const Outlet& outlet : outlets_) {
-      Zone zone = make_zone(outlet, of, lattice_node);
-      zone.falls = outlet.kind == OutletKind::fall;
-      zone.pumps = outlet.kind == OutletKind::pump;
-      zones_.push_back(zone);
+      zones_.push_back(make_zone(outlet, of, lattice_node));
       names_.push_back(outlet.name);
     }
     for (std::vector<double>* of_zones :
@@ -60,10 +55,13 @@ class OpeningsOfCase final : public Openings {
   [[nodiscard]] const std::vector<double>& levels() const override { return levels_; }
   [[nodiscard]] const std::vector<double>& takes() const override { return takes_; }
   [[nodiscard]] const std::vector<float>& speeds() const override { return speeds_; }
+  [[nodiscard]] const std::vector<double>& feeds() const override { return bed_feeds_.speeds(); }
 
   void fill(double time, const std::vector<WaterAtOpening>& waters, Population& population) override {
     for (std::size_t n = 0; n < zones_.size(); ++n) depths_[n] = waters[n].depth;
     set_levels(time);
+    bed_feeds_.set_speeds(waters, sediment_, since_fill_);
+    bed_feeds_.fill(population);
     let_waves_out(time, waters);
     set_returning();
     const std::vector<std::pair<std::size_t, std::size_t>> risen = choose_columns();
@@ -94,6 +92,7 @@ class OpeningsOfCase final : public Openings {
     since_fill_ += dt;
     for (std::size_t n = 0; n < inlets_.size(); ++n) {
       const InletWithColumns& of = inlets_[n];
+      sediment_[n] += bed_feeds_.advance(n, dt, population);
       for (std::size_t c = of.first; c < of.first + of.count; ++c) {
         InletColumn& column = columns_[c];
         if (!column.is_full) continue;
@@ -141,13 +140,15 @@ class OpeningsOfCase final : public Openings {
         out.push_back(column.is_full ? column.masses[layer] : 0);
       }
     }
+    bed_feeds_.add_numbers(out);
     return out;
   }
 
   [[nodiscard]] bool restored(const std::vector<double>& numbers) override {
     constexpr std::size_t of_zone = 7;
     const std::size_t of_column = 4 + static_cast<std::size_t>(layers_);
-    if (numbers.size() != 3 + of_zone * zones_.size() + 3 * waves_.size() + of_column * columns_.size()) return false;
+    const std::size_t of_openings = 3 + of_zone * zones_.size() + 3 * waves_.size() + of_column * columns_.size();
+    if (numbers.size() != of_openings + bed_feeds_.count_of_numbers()) return false;
     const double* next = numbers.data();
     returning_ = *next++;
     water_of_pump_ = *next++;
@@ -174,16 +175,13 @@ class OpeningsOfCase final : public Openings {
       if (column.is_full) column.masses.assign(next, next + layers_);
       next += layers_;
     }
+    bed_feeds_.restore(next);
     return true;
   }
 
  private:
   void add(const Inlet& inlet, const Case& of, const std::optional<Vec3>& lattice_node) {
     Zone zone = make_zone(inlet, of, lattice_node);
-    zone.enters = true;
-    zone.is_full = inlet.surface == InletSurface::full;
-    zone.rows = parts_of(2 * zone.half_up, spacing_);
-    zone.ranks = dimension_ == 3 ? parts_of(2 * zone.half_across, spacing_) : 1;
     zone.first_column = static_cast<Index>(columns_.size());
     const std::vector<InletColumn> columns = inlet_columns(zone, dimension_);
     const auto number = std::count_if(columns.begin(), columns.end(), [](const InletColumn& c) { return c.exists; });
@@ -194,6 +192,7 @@ class OpeningsOfCase final : public Openings {
     columns_.insert(columns_.end(), columns.begin(), columns.end());
     zones_.push_back(zone);
     names_.push_back(inlet.name);
+    bed_feeds_.add(inlet, zone);
   }
 
   /// z of the surface at each opening [m].
@@ -365,6 +364,7 @@ class OpeningsOfCase final : public Openings {
   double stiffness_;  // [Pa]
   int layers_;        // particles of a column
   GrainsOfInlets grains_of_inlets_;
+  BedFeeds bed_feeds_;
   std::vector<Outlet> outlets_;
   std::vector<InletWithColumns> inlets_;
   std::vector<InletColumn> columns_;  // of all inlets

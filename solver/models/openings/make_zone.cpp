@@ -1,5 +1,6 @@
 #include "solver/models/openings/make_zone.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "case/models/openings.hpp"
@@ -7,31 +8,10 @@
 namespace thalweg {
 namespace {
 
-/// Way [m] from the lower edge of a length `half` to both sides of `at` to the nearest boundary between two cells of the
-/// lattice; 0 along a slanting direction, and along one in which the domain repeats itself: there an opening may be as wide
-/// as the period.
-Vec3 way_to_lattice(const Vec3& at, const Vec3& direction, double half, const Vec3& node, const Case& of) {
-  const double spacing = of.numerics.spacing;
-  Eigen::Index axis = 0;
-  if (direction.cwiseAbs().maxCoeff(&axis) < 1 - 1e-9) return Vec3::Zero();
-  if (of.domain.is_periodic(static_cast<int>(axis))) return Vec3::Zero();
-  const double edge = at[axis] - direction[axis] * half;
-  const double cells = (edge - node[axis]) / spacing - 0.5;
-  const double way = (std::round(cells) - cells) * spacing;
-  return std::abs(way) > 1e-6 * spacing ? Vec3(way * Vec3::Unit(axis)) : Vec3(Vec3::Zero());
+/// Number of cells of the lattice along a length [m].
+Index cells_along(double length, double spacing) {
+  return static_cast<Index>(std::max(1.0, std::round(length / spacing)));
 }
-
-Vec3 centre_on_lattice(const Opening& opening, const Case& of, const std::optional<Vec3>& lattice_node) {
-  if (!lattice_node || opening.is_round()) return opening.at;
-  const OpeningAxes axes = opening.axes();
-  Vec3 at = opening.at + way_to_lattice(opening.at, axes.up, 0.5 * opening.extent_up(), *lattice_node, of);
-  if (of.info.dimension == 3) {
-    at += way_to_lattice(opening.at, axes.across, 0.5 * opening.extent_across(of.info.dimension), *lattice_node, of);
-  }
-  return at;
-}
-
-}  // namespace
 
 Zone make_zone(const Opening& opening, const Case& of, const std::optional<Vec3>& lattice_node) {
   Zone zone;
@@ -49,6 +29,25 @@ Zone make_zone(const Opening& opening, const Case& of, const std::optional<Vec3>
   zone.length = zone_length(of);
   zone.spacing = of.numerics.spacing;
   zone.upright = std::abs(axes.flow.z()) < 1e-6 && !opening.is_round();
+  return zone;
+}
+
+}  // namespace
+
+Zone make_zone(const Inlet& inlet, const Case& of, const std::optional<Vec3>& lattice_node) {
+  Zone zone = make_zone(static_cast<const Opening&>(inlet), of, lattice_node);
+  zone.enters = true;
+  zone.is_full = inlet.surface == InletSurface::full;
+  zone.feeds = inlet.bed_load != InletBedLoad::none;
+  zone.rows = cells_along(2 * zone.half_up, zone.spacing);
+  zone.ranks = of.info.dimension == 3 ? cells_along(2 * zone.half_across, zone.spacing) : 1;
+  return zone;
+}
+
+Zone make_zone(const Outlet& outlet, const Case& of, const std::optional<Vec3>& lattice_node) {
+  Zone zone = make_zone(static_cast<const Opening&>(outlet), of, lattice_node);
+  zone.falls = outlet.kind == OutletKind::fall;
+  zone.pumps = outlet.kind == OutletKind::pump;
   return zone;
 }
 

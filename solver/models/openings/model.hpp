@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "common/error.hpp"
 #include "solver/backend/buffer.hpp"
+#include "solver/models/openings/feed.hpp"
 #include "solver/models/openings/flow.hpp"
 #include "solver/models/openings/openings.hpp"
 #include "solver/models/openings/scene.hpp"
@@ -26,6 +28,7 @@ struct OpeningsWork {
   Buffer<double> takes;   // [m^3/s] that pumps take (2-D: [m^2/s])
   Buffer<BesideOpening> beside;
   Buffer<float> speeds;  // [m/s] of the inlets' columns
+  Buffer<double> feeds;  // [m/s] of the inlets' bed load
 };
 
 /// Time in the tables of the openings [s]: the bed's, where it has one of its own.
@@ -49,6 +52,7 @@ void upload_openings(Device& on, OpeningsWork<Device>& work) {
   const Openings& openings = *work.openings;
   on.upload(HostBuffer<double>(openings.levels().begin(), openings.levels().end()), work.levels);
   on.upload(HostBuffer<double>(openings.takes().begin(), openings.takes().end()), work.takes);
+  on.upload(HostBuffer<double>(openings.feeds().begin(), openings.feeds().end()), work.feeds);
   on.upload(HostBuffer<float>(openings.speeds().begin(), openings.speeds().end()), work.speeds);
 }
 
@@ -62,6 +66,17 @@ WaterBesidePass<Dim> water_beside(const Particles<Device>& p, const Scene<Dim>& 
 /// True if the zone follows the water next to it.
 inline bool uses_water_beside(const Zone& zone) { return zone.enters ? zone.is_full : !zone.falls; }
 
+/// Bed load behind an inlet's plane [m^2/s].
+template <int Dim, class Device>
+double bed_load_beside(Device& on, const Particles<Device>& p, const Scene<Dim>& scene,
+                       const OpeningsWork<Device>& work, std::size_t n, FluidCount all) {
+  const double grains = double(scene.bed_load.layer) / scene.spacing;
+  return on.reduce(all, 0.0,
+                   BedLoadBesidePass<Dim>{p.record.data(), p.position.data(), p.roles(), p.drift.data(),
+                                          work.zones.data() + n, grains},
+                   [] HOST_DEVICE(double a, double b) { return a + b; });
+}
+
 /// The water next to each opening; none at those that do not stand upright. all: p.fluid(), or all particles where they
 /// are not in order yet.
 template <int Dim, class Device>
@@ -74,6 +89,7 @@ std::vector<WaterAtOpening> waters_at_openings(Device& on, const Particles<Devic
     const WaterBeside sum = on.reduce(all, WaterBeside{}, water_beside(p, scene, work, n, false),
                                       [] HOST_DEVICE(WaterBeside a, const WaterBeside& b) { return a += b; });
     waters[n].depth = sum.volume / (zones[n].length * 2 * zones[n].half_across);
+    if (zones[n].feeds) waters[n].bed_load = bed_load_beside(on, p, scene, work, n, all);
     const double weight = -double(scene.water_density) * double(scene.gravity[Dim - 1]);
     waters[n].level = zones[n].at[2] + (sum.volume > 0 ? sum.pressure / sum.volume / weight : 0);
   }
@@ -135,6 +151,17 @@ struct OpeningsModel {
                      PrescribePass<C::dimension>{p.record.data(), p.position.data(), p.role.data(), work.zones.data(),
                                                  work.levels.data(), work.beside.data(), work.speeds.data(),
                                                  static_cast<Index>(work.zones.size()), step.scene});
+    if (!brings_bed_load(*work.openings)) return;
+    step.on.for_each(p.fluid_count,
+                     PrescribeFeedPass<C::dimension>{p.record.data(), p.position.data(), p.role.data(), p.drift.data(),
+                                                     work.zones.data(), work.levels.data(), work.feeds.data(),
+                                                     static_cast<Index>(work.feeds.size()), step.scene});
+  }
+
+  template <class C>
+  static void before_motion(C& step) {
+    if (!brings_bed_load(*step.work.openings)) return;
+    step.on.for_each(step.p.fluid_count, HoldFeedPass{step.p.record.data(), step.p.role.data()});
   }
 
   template <class C>
@@ -166,6 +193,10 @@ struct OpeningsModel {
   }
 
  private:
+  static bool brings_bed_load(const Openings& openings) {
+    const std::vector<Zone>& zones = openings.zones();
+    return std::any_of(zones.begin(), zones.end(), [](const Zone& zone) { return zone.feeds; });
+  }
   template <class Device>
   static LeavesThrough leaving(Particles<Device>& p, const OpeningsWork<Device>& work, std::size_t n, bool sediment) {
     return {p.record.data(), p.position.data(), p.role.data(), work.zones.data() + n, work.speeds.data(), sediment};

@@ -13,8 +13,9 @@ namespace thalweg {
 
 /// The scene's water next to an opening that stands upright.
 struct WaterAtOpening {
-  double depth = 0;  // [m] over its lower edge
-  double level = 0;  // [m] z of the surface under which the mean pressure is hydrostatic
+  double depth = 0;     // [m] over its lower edge
+  double level = 0;     // [m] z of the surface under which the mean pressure is hydrostatic
+  double bed_load = 0;  // [m^2/s] volume of grains per time and width, at inlets that bring bed load
 };
 
 /// The openings of a scene as the host keeps them: who enters where and when. Made from a case (make_openings.hpp); the
@@ -31,6 +32,9 @@ class Openings {
   [[nodiscard]] virtual const std::vector<double>& takes() const = 0;
   /// Speed of every column of the inlets [m/s]; dry_column where no water enters.
   [[nodiscard]] virtual const std::vector<float>& speeds() const = 0;
+
+  /// Speed of the bed load of each inlet [m/s]; 0 without.
+  [[nodiscard]] virtual const std::vector<double>& feeds() const = 0;
 
   /// Chooses the columns that water fills at a time [s], and bears the particles of those that become full. waters: next
   /// to each opening. Lists have to be made anew next.

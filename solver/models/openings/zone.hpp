@@ -22,6 +22,7 @@ struct Zone {
   bool pumps = false;    // an outlet that takes a given volume per time
   bool is_full = false;  // an inlet without a surface: its pressure follows that of the water next to it
   bool upright = false;  // water has a depth in it
+  bool feeds = false;    // an inlet that brings bed load
   // Columns of an inlet's particles along the flow, and the first of them in the table of all inlets.
   Index rows = 0;   // upwards
   Index ranks = 0;  // across
@@ -73,6 +74,14 @@ HOST_DEVICE inline bool is_in_zone(const Zone& zone, const InOpening& in) {
   const double end = zone.length + 2 * zone.spacing;
   const bool beside = zone.enters ? in.along >= -end && in.along < 0 : in.along >= 0 && in.along < end;
   return beside && is_in_section(zone, in, margin);
+}
+
+/// True if a place lies in the row of particles below an inlet's lower edge that its bed load is made of.
+HOST_DEVICE inline bool is_in_feed(const Zone& zone, const InOpening& in) {
+  const double margin = 0.01 * zone.spacing;
+  const double over_middle = in.up + zone.half_up + 0.5 * zone.spacing;
+  return in.along >= -(zone.length + 2 * zone.spacing) && in.along < 0 && fabs(over_middle) < 0.5 * zone.spacing &&
+         fabs(in.across) <= zone.half_across + margin;
 }
 
 /// Number of the column in which a place in an inlet's zone lies, in the table of all inlets.

@@ -87,10 +87,11 @@ HOST_DEVICE inline float grains_to_water(const SuspendedLoadConstants& law, cons
 template <int Dim>
 struct BedSourcePass {
   using neighbours = Neighbours<field::place, field::matter>;
-  using reads = Reads<field::place, field::matter, field::bed>;
+  using reads = Reads<field::place, field::matter, field::bed, field::role>;
   using writes = Writes<field::suspended>;
 
   const Record* records;
+  const Role* roles;  // nullptr without openings
   const BedSurface* bed;
   Suspended* suspended;
   ClusterList list;
@@ -101,6 +102,7 @@ struct BedSourcePass {
     Suspended& out = suspended[i];
     out.reference = out.friction = out.exposed = 0;
     if (!is_sediment(r) || r.volume == 0) return;
+    if (roles != nullptr && roles[i] == Role::prescribed) return;  // an inlet's bed load
     const BedSurface& s = bed[i];
     const SuspendedLoadConstants& law = scene.suspended_load;
     const bool in_bed = r.kind != kind::suspended && s.settled_share > 1e-3F;
@@ -172,7 +174,7 @@ struct BedExchangePass {
 template <int Dim, class Device>
 void exchange_with_bed(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const StepState* state) {
   using Source = BedSourcePass<Dim>;
-  const Source source{p.record.data(), p.bed.data(), p.suspended.data(), p.list(), scene};
+  const Source source{p.record.data(), p.roles(), p.bed.data(), p.suspended.data(), p.list(), scene};
   on.for_each(p.fluid_count, declare<typename Source::neighbours, typename Source::reads, typename Source::writes>(
                                  [=] HOST_DEVICE(Index i) { source(i); }));
   using Pass = BedExchangePass<Dim>;

@@ -139,19 +139,19 @@ void feel_walls(Scene<2>& s) {
   s.wall_stress = {true, 1e-6F, 0.1F, 1};
 }
 
-/// Water that runs over a floor from an inlet to a tail water.
-DeviceScene open_channel() {
-  DeviceScene s = tank<2>("openings");
-  Scene<2>& scene = plane(s);
-  scene.has_sediment = false;
-  scene.has_openings = true;
-  const ParticleSet all =
-      fill_lattice(scene, [](const Vec3& x) { return x.z() < 0.03 ? ParticleType::wall : ParticleType::water; });
+/// Fills the scene with water that runs over a floor between two openings; with a layer of sand in place of the floor's
+/// highest row, which under the zone of the inlet is left for bed load that comes in.
+void fill_channel(DeviceScene& s, bool fed) {
+  const ParticleSet all = fill_lattice(plane(s), [fed](const Vec3& x) {
+    if (x.z() > 0.03) return ParticleType::water;
+    return fed && x.z() > 0.02 && x.x() > 0.06 && x.x() < 0.14 ? ParticleType::sediment : ParticleType::wall;
+  });
   s.particles = {};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Vec3& x = all.position[i];
     const bool water = all.type[i] == ParticleType::water;
     if (water && (x.x() < 0.06 || x.x() > 0.19 || x.z() > 0.11)) continue;
+    if (fed && x.x() < 0.06 && x.z() > 0.02) continue;
     s.particles.id.push_back(all.id[i]);
     s.particles.type.push_back(all.type[i]);
     s.particles.position.push_back(x);
@@ -160,7 +160,25 @@ DeviceScene open_channel() {
     s.particles.velocity.emplace_back(water ? 0.5F : 0, 0, 0);
     s.particles.pressure.push_back(0);
   }
+}
+
+/// Water that runs over a floor from an inlet to a tail water.
+DeviceScene open_channel() {
+  DeviceScene s = tank<2>("openings");
+  plane(s).has_sediment = false;
+  plane(s).has_openings = true;
+  fill_channel(s, false);
   s.steps = 40;
+  s.has_openings = true;
+  return s;
+}
+
+/// The same over a bed that moves, with bed load that comes in through the inlet.
+DeviceScene fed_channel() {
+  DeviceScene s = drifting();
+  s.name = "openings with bed load";
+  plane(s).has_openings = true;
+  fill_channel(s, true);
   s.has_openings = true;
   return s;
 }
@@ -216,6 +234,13 @@ void drive_a_current(Scene<2>& s) {
   s.current.start = {0.5, 0.2, 0, 0, 2.5};
 }
 
+/// The same where a zone guides it.
+void guide_a_current(Scene<2>& s) {
+  drive_a_current(s);
+  s.current.start_friction = 0.03;
+  s.current.guide = {true, 0, 0.06, 0.1, 0.2, 1e-3, 1e-6};
+}
+
 }  // namespace
 
 std::vector<DeviceScene> device_scenes() {
@@ -237,10 +262,12 @@ std::vector<DeviceScene> device_scenes() {
           with(slump, "sub-particle stress", [](Scene<2>& s) { s.sub_particle_stress = true; }),
           with(slump, "current with a mixing length", drive_a_current),
           with(loaded(), "current with a mixing length over loose grains", drive_a_current),
+          with(slump, "current with a guide zone", guide_a_current),
           with(slump, "shifting", [](Scene<2>& s) { use_shifting(s); }),
           with(slump, "acoustic damper", damp_sound),
           with(mixture(), "mixture with acoustic damper", damp_sound),
           open_channel(),
+          fed_channel(),
           over_a_surface(),
           with(slump, "pore pressure", [](Scene<2>& s) {
             s.pores.on = true;
@@ -260,8 +287,19 @@ std::shared_ptr<Openings> DeviceScene::openings() const {
   of.numerics.maximum_speed = 2;
   of.water.density = 1000;
   of.water.viscosity = 1e-3;
+  const bool fed = std::get<Scene<2>>(scene).has_sediment;
+  if (fed) {
+    SedimentTable& sand = of.sediments["sand"];
+    sand.grain_density = 1540;
+    sand.grain_diameter = 3.5e-3;
+    sand.porosity = 0.47;
+  }
   Inlet& inlet = of.inlets.emplace_back();
   inlet.name = "west";
+  if (fed) {
+    inlet.bed_load = InletBedLoad::fixed;
+    inlet.bed_load_rate = 1e-3;  // a layer at 0.19 m/s: some particles cross the plane within the run
+  }
   inlet.at = Vec3(0.06, 0, 0.08);
   inlet.direction = Vec3::UnitX();
   inlet.height = 0.1;

@@ -38,6 +38,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Scenario{"DamBreak", "dam_break", {}, 60}, Scenario{"Spheric", "spheric02", {"numerics.spacing=60 mm"}, 30},
         Scenario{"Gate", "gate", {}, 40}, Scenario{"Channel", "channel", {}, 30}, Scenario{"Weir", "weir", {}, 30},
+        Scenario{"Guided", "channel", {"flow.guide_from=0.15 m", "flow.guide_length=0.1 m"}, 30},
+        Scenario{"FedBed",
+                 "../tests/solver/program/openings/feed.toml",
+                 {"inlet.west.bed_load=fixed", "inlet.west.bed_load_rate=2e-3 m^2/s"},
+                 60},
         Scenario{"LargeEddies", "channel", {"model.turbulence=sps"}, 20},
         Scenario{"Louvain", "louvain", {"numerics.spacing=10 mm"}, 60},
         Scenario{"Louvain3d", "louvain3d", {"numerics.spacing=20 mm"}, 20},
