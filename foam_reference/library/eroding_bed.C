@@ -67,11 +67,11 @@ erodingBed::erodingBed(const word& name, const Time& time, const dictionary& dic
   bed_.grains = columns_.volume_of(bed_share_.primitiveField());
   for (double& grains : bed_.grains) grains *= bed_.packing;
   const auto columns = at(bed_.grid.columns());
-  bed_.end.assign(columns, BedEnd::closed);
+  bed_.end.assign(columns, thalweg::BedEnd::closed);
   for (const Pair<point>& box : dict.getOrDefault<List<Pair<point>>>("fed", List<Pair<point>>())) {
     for (int column = 0; column < bed_.grid.columns(); ++column) {
       const point place(columns_.centre(column, 0), columns_.centre(column, 1), box.first().z());
-      if (boundBox(box.first(), box.second()).contains(place)) bed_.end[at(column)] = BedEnd::fed;
+      if (boundBox(box.first(), box.second()).contains(place)) bed_.end[at(column)] = thalweg::BedEnd::fed;
     }
   }
   stress_.resize(columns);
