@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass, field
 
-import validation.column_measures  # noqa: F401  each fills the library
+import validation.bed_measures  # noqa: F401  each fills the library
+import validation.column_measures  # noqa: F401
 import validation.law_measures  # noqa: F401
 import validation.particle_measures  # noqa: F401
 import validation.profile_measures  # noqa: F401

@@ -83,6 +83,10 @@ class Variations(unittest.TestCase):
                          [("1", "x"), ("1", "y"), ("1", "z"), ("2", "x"), ("2", "y"), ("2", "z")])
 
 
+def fail(text, key=None):
+    raise InputError(f"{key}: {text}")
+
+
 class Measures(unittest.TestCase):
     """Each measure on made-up results."""
 
@@ -124,6 +128,28 @@ class Measures(unittest.TestCase):
         profile = [(0.0, 0.04), (0.01, 0.008), (0.02, 0.002), (0.03, 0.0)]
         point, = self.measured("toe", {"height": 0.004}, profile=lambda *_: profile)
         self.assertAlmostEqual(point.computed, 0.01 + 0.01 * 4 / 6)
+
+    def test_the_depth_of_a_hole_counts_between_its_places_alone(self):
+        profile = [(-0.6, -0.09), (-0.01, -0.03), (0.0, -0.045), (0.02, -0.04), (0.3, 0.01)]
+        given = {"begin": -0.1, "end": 0.1, "level": -0.025}
+        self.assertAlmostEqual(self.measured("depth of a hole", given, profile=lambda *_: profile)[0].computed, 0.02)
+        with self.assertRaises(InputError):
+            self.measured("depth of a hole", {**given, "begin": 0.4, "end": 0.5}, profile=lambda *_: profile, fail=fail)
+
+    def test_a_crest_rises_above_its_lowest_before(self):
+        crests = {0.0: 0.2, 1.0: 0.15, 2.0: 0.16, 3.0: 0.1, 4.0: 0.12}
+        results = {"snapshots": [(time, "") for time in crests], "profile": lambda time, _: [(0.5, 0.3), (0.8, crests[time]), (0.9, 0.05)]}
+        point, = self.measured("rise of a crest", {"begin": 0.7, "end": 1.0}, **results)
+        self.assertEqual((round(point.computed, 9), point.at, point.low), (0.02, 4.0, 0.0))
+
+    def test_a_weir_takes_its_head_from_the_highest_bed(self):
+        # (2/3)^1.5 sqrt(9.81) 0.04^1.5 = 0.54433 * 3.13209 * 0.008 = 0.013639
+        columns = {"pool.level": [(1.9, 0.17), (2.1, 0.19), (5.0, 9.0)], "crest.water": [(1.9, 0.012), (2.1, 0.014), (5.0, 9.0)]}
+        given = {"begin": 0.7, "end": 1.0, "at": [2.0], "level": "pool", "flux": "crest", "over": 0.4}
+        point, = self.measured("broad-crested weir", given, profile=lambda *_: [(0.75, 0.13), (0.8, 0.14), (0.9, 0.1)],
+                               column=lambda _, name: columns[name])
+        self.assertAlmostEqual(point.computed, 0.013)
+        self.assertAlmostEqual(point.low, 0.013639, places=6)
 
     def test_energy_rise_above_start_and_above_the_lowest(self):
         rows = [{"kinetic_energy": e, "potential_energy": 0.0, "internal_energy": 0.0, "water_mass": 2.0, "sediment_mass": 0.0} for e in (5, 2, 4, 6)]
