@@ -195,9 +195,10 @@ struct LeavesThrough {
       if (sediment || !is_in_zone(*zone, in)) return false;
       return roles[i] == Role::prescribed ? speeds[column_in(*zone, in)] < 0 : in.along < -0.5 * zone->spacing;
     }
-    // Water that falls sinks out of the section before lists are made anew; a bed under the opening stays. No bed lies past
-    // the zone of another outlet: there a grain that slides on the floor, half in it, leaves too.
-    const double beside = (zone->falls != sediment ? 1.0 : 0.01) * zone->spacing;
+    // Water that falls sinks out of the section before lists are made anew, and grains that slide on the floor stand half
+    // in it. But a bed under a fall stays, and water under another outlet is the scene's.
+    const bool slides = records[i].kind == kind::bed_load || records[i].kind == kind::suspended;
+    const double beside = (sediment ? !zone->falls || slides : zone->falls) ? zone->spacing : 0.01 * zone->spacing;
     const double end = zone->falls ? 0 : zone->length - zone->spacing;
     return in.along > end && in.along < zone->length + 2 * zone->spacing && is_in_section(*zone, in, beside);
   }

@@ -134,7 +134,7 @@ TEST(Openings, StandOnTheCellsOfTheLattice) {
 }
 
 // Behind the zone of an outlet leave water in its section, and grains that slide on the floor, half in it.
-// A bed under a fall stays.
+// A bed under a fall stays, but for the grains that move.
 TEST(Openings, TakeGrainsOnTheFloorBehindAnOutlet) {
   Zone zone;
   zone.flow[0] = zone.up[2] = 1;
@@ -145,8 +145,8 @@ TEST(Openings, TakeGrainsOnTheFloorBehindAnOutlet) {
   Record record{};
   Position position{};
   const Role role = Role::integrated;
-  const auto leaves = [&](double along, double up, bool is_grain) {
-    record.kind = is_grain ? kind::deposit : kind::water;
+  const auto leaves = [&](double along, double up, bool is_grain, float grain = kind::deposit) {
+    record.kind = is_grain ? grain : kind::water;
     position.x[0] = along;
     position.x[2] = up;
     return LeavesThrough{&record, &position, &role, &zone, nullptr, is_grain}(0);
@@ -160,6 +160,9 @@ TEST(Openings, TakeGrainsOnTheFloorBehindAnOutlet) {
   zone.falls = true;
   EXPECT_TRUE(leaves(0.01, -0.105, false));
   EXPECT_FALSE(leaves(0.01, -0.105, true));
+  EXPECT_TRUE(leaves(0.01, -0.105, true, kind::bed_load));
+  EXPECT_TRUE(leaves(0.01, -0.105, true, kind::suspended));
+  EXPECT_FALSE(leaves(0.01, -0.115, true, kind::bed_load));
 }
 
 // A floor whose lattice lies a third of a spacing higher than its shape: the water comes in on it, not within it.
