@@ -43,7 +43,7 @@ struct BedLoadDriftPass {
       return;
     }
     const BedSurface& s = bed[i];
-    if (is_in_suspension(r, s)) return sink(r, s);
+    if (is_in_suspension(r, s)) return sink(i, s);
     if (r.kind != kind::bed_load) return;
     if (!(s.shear_stress > s.critical_stress)) return;
     const Vec<Dim, float> u = speed_along_bed<Dim>(r, s);
@@ -73,12 +73,29 @@ struct BedLoadDriftPass {
   }
 
  private:
-  /// A parcel in suspension sinks through the water at the settling velocity of its grains, less where it comes to a bed.
-  HOST_DEVICE void sink(Record& r, const BedSurface& s) const {
-    const float room = 1 - s.settled_share / settling::landed;
+  /// A parcel in suspension sinks through the water at the settling velocity of its grains, less where it comes to a bed
+  /// or to a wall: past a wall that it did not see, it sank in by more than a spacing.
+  HOST_DEVICE void sink(Index i, const BedSurface& s) const {
+    Record& r = records[i];
+    const float room = 1 - (s.settled_share + share_of_walls(i)) / settling::landed;
     if (!(room > 0)) return;
     const float speed = (1 - 1 / settling::tie) * scene.erosion.settling_velocity * room;
     for (int k = 0; k < Dim; ++k) r.work[axis<Dim>(k)] = speed * scene.erosion.down[k];
+  }
+
+  /// Sum of V W over the walls in reach [-].
+  [[nodiscard]] HOST_DEVICE float share_of_walls(Index i) const {
+    float share = 0;
+    const Index cluster = list.cluster_of(i);
+    for (Index entry = list.begin[cluster]; entry < list.begin[cluster + 1]; ++entry) {
+      const Index j = list.entries[entry];
+      if (j == list.none || !is_wall(records[j])) continue;
+      const Vec<Dim, float> r = scene.separation(records[i].place, records[j].place);
+      const float r2 = dot(r, r);
+      if (!(r2 < scene.support() * scene.support())) continue;
+      share += records[j].volume * scene.kernel.value(scene.kernel.closeness(sqrtf(r2)));
+    }
+    return share;
   }
 
   struct Around {

@@ -60,6 +60,23 @@ INSTANTIATE_TEST_SUITE_P(Cohesive, BedAtRest,
                                                  .options = {"materials.sand.cohesion=\"100 kPa\""}}),
                          name_of);
 
+// A grain that sinks sees the floor as it sees a bed: it stops on it, and does not go into it by a spacing.
+TEST(GrainInSuspension, LandsOnABareFloor) {
+  test::CaseRun run("grain_on_floor");
+  run.fill("stability/grain", {"shape.drop.from=[\"0 m\", \"0 m\"]", "shape.drop.to=[\"0.1 m\", \"0.1 m\"]",
+                               "output.end=1.5 s", "output.interval=0.1 s"});
+  ASSERT_EQ(run_solver(run.options()), Exit::done);
+  const double spacing = run.scene().numerics.spacing;
+  for (const double time : {1.0, 1.5}) {
+    const ParticleSet p = run.snapshot_at(time);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p.type[i] != ParticleType::sediment) continue;
+      EXPECT_GT(p.position[i].z(), 0.3 * spacing) << time;
+      EXPECT_LT(p.position[i].z(), 1.5 * spacing) << time;
+    }
+  }
+}
+
 TEST(BedWithoutFriction, FlowsWithoutALossOfNumbers) {
   const FlatBedResult r = FlatBedRun({.spacing = 0.01,
                                       .diameter = 1e-3,
