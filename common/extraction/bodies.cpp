@@ -7,8 +7,6 @@
 namespace thalweg {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-
 // Height of a phase's body over a column's floor; the floor itself where the body is less than a layer. Where that floor
 // hangs in the fluid, a pipe over a bed, it is the height of the body below.
 double top_or_floor(const ConnectedBody& body, std::size_t column, double floor, double least_thickness) {

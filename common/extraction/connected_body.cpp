@@ -8,8 +8,6 @@
 namespace thalweg {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-
 // The height at which a value falls through 1/2 between two heights.
 double crossing(double z_full, double full, double z_less, double less) {
   return z_full + (z_less - z_full) * (full - 0.5) / (full - less);

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "common/extraction/volume_fraction.hpp"
 
 namespace thalweg {
+
+/// Stands for a height that is not there [m].
+inline constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 /// The nodes where a phase fills more than half and that are connected to the floor along the axes without crossing
 /// a wall. Without any wall on the grid: the nodes of the largest connected body. A body apart is part of it if it lies

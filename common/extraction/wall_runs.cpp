@@ -6,13 +6,10 @@
 #include <utility>
 
 #include "common/extraction/parts.hpp"
+#include "common/extraction/wall_gaps.hpp"
 
 namespace thalweg {
 namespace {
-
-// Columns of one spacing are counted from half a spacing, so that rounding never splits the particles of one column of
-// a lattice anchored at multiples of the spacing (or half of it).
-long column_of(double coordinate, double spacing) { return std::lround(std::floor(coordinate / spacing + 1e-3)); }
 
 struct Members {
   std::vector<std::size_t> particles;
@@ -55,22 +52,33 @@ WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
   const bool any_fixed =
       std::find(particles.type.begin(), particles.type.end(), ParticleType::wall) != particles.type.end();
   const auto bounds_flow = [&](std::size_t i) { return !any_fixed || particles.type[i] == ParticleType::wall; };
-  double highest = -std::numeric_limits<double>::infinity();
+  RunsOfColumns found;
   for (auto& [place, column] : columns) {
     std::vector<std::size_t>& members = column.particles;
-    const auto height = [&](std::size_t i) { return particles.position[i].z(); };
-    std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) { return height(a) < height(b); });
-    std::size_t first = 0;
+    const auto height = [&](std::size_t k) { return particles.position[members[k]].z(); };
+    std::sort(members.begin(), members.end(),
+              [&](std::size_t a, std::size_t b) { return particles.position[a].z() < particles.position[b].z(); });
+    double low = height(0) - spacing / 2;
     for (std::size_t k = 0; k < members.size(); ++k) {
-      const bool run_ends = k + 1 == members.size() || height(members[k + 1]) - height(members[k]) > 2 * spacing;
+      const bool run_ends = k + 1 == members.size() || height(k + 1) - height(k) > 2 * spacing;
       if (!run_ends) continue;
-      const double top = height(members[k]) + spacing / 2;
-      for (std::size_t m = first; m <= k; ++m) runs.top[members[m]] = top;
-      if (first == 0) column.lowest_top = runs.columns[place].floor = top;
-      const auto moves = [&](std::size_t m) { return particles.type[m] == ParticleType::moving_wall; };
-      if (moves(members[k])) runs.columns[place].moving_tops.push_back(top);
-      if (bounds_flow(members[k])) highest = std::max(highest, top);
-      first = k + 1;
+      found[place].push_back({low, height(k) + spacing / 2, k + 1});
+      if (k + 1 < members.size()) low = height(k + 1) - spacing / 2;
+    }
+  }
+  join_hollow_walls(particles, spacing, found);
+
+  double highest = -std::numeric_limits<double>::infinity();
+  for (auto& [place, column] : columns) {
+    const std::vector<WallRun>& of_column = found.at(place);
+    column.lowest_top = runs.columns[place].floor = of_column.front().high;
+    std::size_t first = 0;
+    for (const WallRun& run : of_column) {
+      for (std::size_t m = first; m < run.members; ++m) runs.top[column.particles[m]] = run.high;
+      const std::size_t upper = column.particles[run.members - 1];
+      if (particles.type[upper] == ParticleType::moving_wall) runs.columns[place].moving_tops.push_back(run.high);
+      if (bounds_flow(upper)) highest = std::max(highest, run.high);
+      first = run.members;
     }
   }
 

@@ -10,7 +10,8 @@
 namespace thalweg {
 
 /// The top of the wall that each wall particle belongs to. The wall is cut into columns one spacing wide; within a
-/// column, particles closer than two spacings form one run (nothing fits between them).
+/// column, particles closer than two spacings form one run (nothing fits between them), and so do the shells of a solid that is
+/// hollow inside (wall_gaps.hpp).
 struct WallRuns {
   std::vector<double> top;  // [m] per particle of the set: highest point of its run; NaN for particles that are no wall
 

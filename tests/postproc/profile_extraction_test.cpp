@@ -201,6 +201,54 @@ TEST(ExtractProfile, DryBedIsTheFreeSurfaceAndEmptyColumnsAreMissing) {
   EXPECT_NEAR(profile.x.back(), 1, 1e-9);  // the grid does not depend on where the fluid is
 }
 
+/// Adds wall in x from left to right and z from low to high [m].
+void add_block(Flume& flume, double left, double right, double low, double high) {
+  for (double x = left + 0.5 * flume.spacing; x < right; x += flume.spacing) {
+    for (double z = low + 0.5 * flume.spacing; z < high; z += flume.spacing) flume.add(ParticleType::wall, {x, 0, z});
+  }
+}
+
+// A thick floor is a shell of four layers along each of its faces. Where nothing lies on it, its upper side is the floor,
+// also where the domain cuts it, so that it is open at its ends.
+TEST(ExtractProfile, ADryFloorThatIsHollowHasItsUpperSide) {
+  for (const bool has_ends : {true, false}) {
+    SCOPED_TRACE(has_ends);
+    Flume flume;
+    flume.begin();
+    flume.add_walls();
+    const double side = 4 * flume.spacing;
+    add_block(flume, -side, 1 + side, -0.15, -0.13);
+    if (has_ends) add_block(flume, -side, 0, -0.13, -side);
+    if (has_ends) add_block(flume, 1, 1 + side, -0.13, -side);
+    flume.fill(ParticleType::sediment, 0.2, 0.6, flat, [](double) { return 0.06; });
+    flume.fill(
+        ParticleType::water, 0.2, 0.6, [](double) { return 0.06; }, [](double) { return 0.1; });
+    const Profile profile = extract_profile(flume.set, {}).profile;
+    EXPECT_NEAR(at(profile, profile.floor, 0.1), 0, 1e-9);
+    EXPECT_NEAR(at(profile, profile.floor, 0.9), 0, 1e-9);
+    EXPECT_NEAR(at(profile, profile.floor, 0.4), 0, 0.1 * flume.spacing);
+  }
+}
+
+// Under a bridge that nothing flows through yet the ground counts, and in a closed box its floor, not its lid.
+TEST(ExtractProfile, AnOpenGapBetweenWallsIsNoHollow) {
+  Flume bridge;
+  bridge.begin();
+  bridge.add_walls();
+  add_block(bridge, 0.6, 0.8, 0.1, 0.12);
+  bridge.fill(ParticleType::water, 0, 0.3, flat, [](double) { return 0.06; });
+  const Profile under = extract_profile(bridge.set, {}).profile;
+  EXPECT_NEAR(at(under, under.floor, 0.7), 0, 1e-9);
+
+  Flume box;
+  box.begin();
+  box.add_walls();
+  add_block(box, 0, 1, 0.38, 0.4);
+  box.fill(ParticleType::water, 0, 0.3, flat, [](double) { return 0.06; });
+  const Profile in = extract_profile(box.set, {}).profile;
+  EXPECT_NEAR(at(in, in.floor, 0.7), 0, 1e-9);
+}
+
 // A pipe that hangs over a bed hides nothing of it; one that lies in the bed does.
 TEST(ExtractProfile, ShowsTheBedBelowAPipe) {
   for (const double pipe_bottom : {0.10, 0.06}) {
