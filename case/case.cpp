@@ -13,6 +13,10 @@ bool Case::has_sediment() const {
                      [](const Shape& shape) { return shape.role == ShapeRole::sediment || shape.concentration > 0; });
 }
 
+bool Case::has_water() const {
+  return std::any_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.role == ShapeRole::water; });
+}
+
 bool Case::has_concentration() const {
   return std::any_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.concentration > 0; });
 }

@@ -70,6 +70,8 @@ struct Case {
   [[nodiscard]] double smoothing_length() const { return numerics.smoothing_ratio * numerics.spacing; }
   /// True if some shape is filled with sediment, or with water that carries grains.
   [[nodiscard]] bool has_sediment() const;
+  /// True if some shape is filled with water.
+  [[nodiscard]] bool has_water() const;
   /// True if some shape is filled with water that carries grains.
   [[nodiscard]] bool has_concentration() const;
   /// True if a current lasts: driven around a period, or fed by an inlet.

@@ -92,13 +92,13 @@ double correlation_with_next(const Eigen::ArrayXd& residuals) {
 }
 
 /// T and S_eq of the curve with the least misfit.
-struct Curve {
+struct FittedCurve {
   double logarithm = 0;  // of T
   double equilibrium = 0;
   double lowest_logarithm = 0;  // of those searched
 };
-Curve best_curve(const Series& series) {
-  Curve curve;
+FittedCurve best_curve(const Series& series) {
+  FittedCurve curve;
   curve.lowest_logarithm = std::log(0.1 * series.least_step());
   curve.logarithm = best_logarithm(series, curve.lowest_logarithm, std::log(100 * series.last_time()));
   curve.equilibrium = series.equilibrium(std::exp(curve.logarithm));
@@ -122,7 +122,7 @@ double growth_of(double equilibrium, const std::vector<double>& times, const std
   const auto half = std::upper_bound(times.begin(), times.end(), 0.5 * times.back()) - times.begin();
   if (half < static_cast<std::ptrdiff_t>(fewest_readings)) return 0;
   const Series series({times.begin(), times.begin() + half}, {depths.begin(), depths.begin() + half});
-  const Curve curve = best_curve(series);
+  const FittedCurve curve = best_curve(series);
   const double before = curve.equilibrium + 2 * standard_errors(series, std::exp(curve.logarithm))[0];
   return before > 0 ? equilibrium / before - 1 : 0;
 }
@@ -141,7 +141,7 @@ EquilibriumFit fit_equilibrium(const std::vector<double>& times, const std::vect
     fit.refusal = "no fit: the depth does not change";
     return fit;
   }
-  const Curve curve = best_curve(series);
+  const FittedCurve curve = best_curve(series);
   const double T = std::exp(curve.logarithm);
   constexpr double at_the_edge = 1e-6;
   const double S_eq = curve.equilibrium;

@@ -86,7 +86,7 @@ double convert(double value, const Unit& from, const Unit& to) {
 
 }  // namespace
 
-double parse_quantity(std::string_view text, std::string_view si_unit) {
+double parse_quantity(std::string_view text, std::string_view unit_in_si) {
   const std::string_view content = trimmed(text);
   const std::string_view digits = content.starts_with('+') ? content.substr(1) : content;
   double number = 0;
@@ -94,28 +94,28 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
   if (status == std::errc::result_out_of_range)
     reject(fmt::format("\"{}\" is too large or too small a number; check it", text));
   if (status != std::errc{}) {
-    reject(
-        fmt::format("\"{}\" does not begin with a number; write a number and a unit, such as \"1 {}\"", text, si_unit));
+    reject(fmt::format("\"{}\" does not begin with a number; write a number and a unit, such as \"1 {}\"", text,
+                       unit_in_si));
   }
   if (!std::isfinite(number)) reject(fmt::format("\"{}\" is not finite; write a finite number", text));
 
   const std::string_view unit_name = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
-  if (unit_name.empty()) reject(fmt::format("\"{0}\" has no unit; add one, such as \"{0} {1}\"", content, si_unit));
-  const std::string cure = fmt::format("give it in {} or a unit that converts to it", si_unit);
+  if (unit_name.empty()) reject(fmt::format("\"{0}\" has no unit; add one, such as \"{0} {1}\"", content, unit_in_si));
+  const std::string cure = fmt::format("give it in {} or a unit that converts to it", unit_in_si);
   const std::scoped_lock guard(lock());
   const Unit unit = holds_loose_number(unit_name) ? nullptr : parse_unit(unit_name);
   if (!unit) reject(fmt::format("\"{}\" is not a unit; {}", unit_name, cure));
-  const Unit si = parse_unit(si_unit);
+  const Unit si = parse_unit(unit_in_si);
   if (ut_are_convertible(unit.get(), si.get()) == 0)
-    reject(fmt::format("\"{}\" does not measure {}; {}", unit_name, si_unit, cure));
+    reject(fmt::format("\"{}\" does not measure {}; {}", unit_name, unit_in_si, cure));
   const double value = convert(number, unit, si);
-  if (!std::isfinite(value)) reject(fmt::format("\"{}\" is not finite in {}; check it", text, si_unit));
+  if (!std::isfinite(value)) reject(fmt::format("\"{}\" is not finite in {}; check it", text, unit_in_si));
   return value;
 }
 
-std::string format_quantity(double si_value, std::string_view si_unit) {
+std::string format_quantity(double value_in_si, std::string_view unit_in_si) {
   struct Ladder {
-    std::string_view si_unit;
+    std::string_view unit_in_si;
     std::string_view zero;                  // the unit for a value of 0
     std::array<std::string_view, 4> units;  // from large to small; the first in which the value is at least 1 is taken
   };
@@ -126,21 +126,21 @@ std::string format_quantity(double si_value, std::string_view si_unit) {
       Ladder{"rad", "deg", {"deg"}},
   };
   for (const Ladder& ladder : ladders) {
-    if (ladder.si_unit != si_unit || !std::isfinite(si_value)) continue;
-    if (si_value == 0) return fmt::format("0 {}", ladder.zero);
+    if (ladder.unit_in_si != unit_in_si || !std::isfinite(value_in_si)) continue;
+    if (value_in_si == 0) return fmt::format("0 {}", ladder.zero);
     const std::scoped_lock guard(lock());
-    const Unit si = parse_unit(si_unit);
+    const Unit si = parse_unit(unit_in_si);
     std::string_view unit;
     double value = 0;
     for (const std::string_view candidate : ladder.units) {
       if (candidate.empty()) break;
       unit = candidate;
-      value = convert(si_value, si, parse_unit(candidate));
+      value = convert(value_in_si, si, parse_unit(candidate));
       if (std::abs(value) >= 1 - 1e-9) break;
     }
     return fmt::format("{:.4g} {}", value, unit);
   }
-  return fmt::format("{:.4g} {}", si_value, si_unit);
+  return fmt::format("{:.4g} {}", value_in_si, unit_in_si);
 }
 
 }  // namespace thalweg

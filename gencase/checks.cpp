@@ -12,8 +12,6 @@
 namespace thalweg::gencase {
 namespace {
 
-std::string length(double metres) { return format_quantity(metres, "m"); }
-
 bool inside_domain(const Case& scene, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.info.dimension == 2 && axis == 1) continue;
@@ -58,7 +56,7 @@ std::string wall_around(const std::vector<PlacedShape>& shapes, const PlacedShap
                                          wall_around(shapes, shape)));
   throw InputError(begin + fmt::format("no lattice point lies in it at a spacing of {}; use a smaller "
                                        "numerics.spacing, or correct the shape",
-                                       length(scene.numerics.spacing)));
+                                       length_text(scene.numerics.spacing)));
 }
 
 /// Counts a shape's particles that break a rule and keeps the first for the message.
@@ -140,7 +138,7 @@ void warn_of_filling(const Case& scene, const std::vector<PlacedShape>& shapes, 
       warn(
           fmt::format("{}: the wall's thickness of {} is less than the kernel's support of {}; fluid beside it will "
                       "miss a part of the wall",
-                      begin, length(shapes[s].thickness), length(kernel_support(scene))));
+                      begin, length_text(shapes[s].thickness), length_text(kernel_support(scene))));
   }
 }
 

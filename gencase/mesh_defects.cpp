@@ -154,11 +154,11 @@ void find_intersections(const Triangles& surface, MeshDefects& defects) {
   }
 }
 
+}  // namespace
+
 std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
-
-}  // namespace
 
 std::string MeshDefects::text() const {
   std::vector<std::string> parts;

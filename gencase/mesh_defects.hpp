@@ -44,4 +44,7 @@ struct Thickness {
 /// Measures the thickness at up to some thousand faces; `limit` [m] is that of `thin_share`.
 Thickness thickness_of(const Triangles& surface, double limit);
 
+/// A number with its noun: "1 face", "2 faces".
+std::string counted(std::size_t count, const char* one, const char* many);
+
 }  // namespace thalweg::gencase

@@ -22,6 +22,7 @@
 #include "gencase/booleans.hpp"
 #include "gencase/mesh_bodies.hpp"
 #include "gencase/mesh_borders.hpp"
+#include "gencase/mesh_defects.hpp"
 #include "gencase/mesh_sheets.hpp"
 #include "gencase/polyhedron.hpp"
 #include "gencase/triangle_mesh.hpp"
@@ -120,10 +121,6 @@ Triangles surface_of(const Points& points, const Polygons& polygons) {
     surface.corners.push_back(
         {static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]), static_cast<std::uint32_t>(p[2])});
   return surface;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 /// Makes a mesh of a surface, stitches it, fills its holes and drops what remains loose; nothing if sheets of the

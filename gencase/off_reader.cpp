@@ -13,15 +13,15 @@
 namespace thalweg::gencase {
 namespace {
 
-struct Line {
+struct WordsOfLine {
   int number;
   std::vector<std::string> words;
 };
 
 /// The lines that have words, without comments.
-std::vector<Line> lines_of(const std::string& bytes) {
+std::vector<WordsOfLine> lines_of(const std::string& bytes) {
   std::istringstream text(bytes);
-  std::vector<Line> lines;
+  std::vector<WordsOfLine> lines;
   int number = 0;
   for (std::string line; std::getline(text, line);) {
     ++number;
@@ -39,7 +39,7 @@ struct Counts {
 };
 
 /// The word, then the numbers of points, faces and edges, on one line or several. The edges are often left away.
-Counts counts_of(const std::vector<Line>& lines, std::size_t size) {
+Counts counts_of(const std::vector<WordsOfLine>& lines, std::size_t size) {
   std::vector<std::string> head;
   std::size_t used = 0;
   for (; head.size() < 3 && used < lines.size(); ++used)
@@ -60,7 +60,7 @@ Counts counts_of(const std::vector<Line>& lines, std::size_t size) {
 }
 
 /// The coordinates; normals, colours and texture may follow them.
-Vec3 point_of(const Line& line) {
+Vec3 corner_of(const WordsOfLine& line) {
   if (line.words.size() < 3)
     throw InputError(fmt::format("line {}: a point has {} coordinates; give three", line.number, line.words.size()));
   Vec3 point;
@@ -75,7 +75,7 @@ Vec3 point_of(const Line& line) {
 }
 
 /// A number of corners, so many points, and perhaps a colour.
-std::vector<std::size_t> face_of(const Line& line, std::size_t points) {
+std::vector<std::size_t> face_of(const WordsOfLine& line, std::size_t points) {
   const std::size_t count = is_count(line.words[0]) ? number_of<std::size_t>(line.words[0]).value_or(0) : 0;
   if (count == 0 || count >= line.words.size())
     throw InputError(
@@ -96,14 +96,14 @@ std::vector<std::size_t> face_of(const Line& line, std::size_t points) {
 }  // namespace
 
 MeshFile read_off(const std::string& bytes) {
-  const std::vector<Line> lines = lines_of(bytes);
+  const std::vector<WordsOfLine> lines = lines_of(bytes);
   const Counts counts = counts_of(lines, bytes.size());
   MeshFile file;
   const auto first = lines.begin() + static_cast<std::ptrdiff_t>(counts.lines);
   const auto faces = first + static_cast<std::ptrdiff_t>(counts.points);
-  std::transform(first, faces, std::back_inserter(file.soup.points), point_of);
+  std::transform(first, faces, std::back_inserter(file.soup.points), corner_of);
   std::transform(faces, faces + static_cast<std::ptrdiff_t>(counts.faces), std::back_inserter(file.soup.polygons),
-                 [&](const Line& line) { return face_of(line, counts.points); });
+                 [&](const WordsOfLine& line) { return face_of(line, counts.points); });
   return file;
 }
 

@@ -45,4 +45,6 @@ std::string placed_number(double metres, double spacing) {
   return suffices(metres, spacing, digits) ? fmt::format("{:.6g}", metres) : with_all_digits(metres, spacing);
 }
 
+std::string length_text(double metres) { return format_quantity(metres, "m"); }
+
 }  // namespace thalweg::gencase

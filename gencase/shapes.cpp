@@ -13,6 +13,7 @@
 #include "gencase/combinations.hpp"
 #include "gencase/coverage.hpp"
 #include "gencase/hollows.hpp"
+#include "gencase/places.hpp"
 #include "gencase/polygon.hpp"
 #include "gencase/polyhedron.hpp"
 #include "gencase/primitives.hpp"
@@ -21,8 +22,6 @@
 
 namespace thalweg::gencase {
 namespace {
-
-std::string length(double metres) { return format_quantity(metres, "m"); }
 
 [[noreturn]] void refuse(const Case& scene, const Shape& shape, const std::string& what) {
   throw InputError(where(scene, shape) + " " + what);
@@ -123,8 +122,8 @@ RegionPointer make_held(const Case& scene, const Shape& shape, const Earlier& ea
     refuse(scene, shape,
            fmt::format("finds no hollow that the walls before it hold {}: what it fills would run out; make the walls "
                        "thicker and their gaps narrower than {}, lower the level, or use a box",
-                       layer ? std::string("up to their upper end") : "up to " + length(shape.level),
-                       length(scene.numerics.spacing)));
+                       layer ? std::string("up to their upper end") : "up to " + length_text(shape.level),
+                       length_text(scene.numerics.spacing)));
   return held;
 }
 
@@ -134,8 +133,8 @@ RegionPointer make_level(const Case& scene, const Shape& shape, const Earlier& e
   Bounds box = filling_box(scene, earlier);
   if (shape.level <= box.lower.z())
     refuse(scene, shape,
-           fmt::format("has its level at {}, below the floor at {}; raise the level", length(shape.level),
-                       length(box.lower.z())));
+           fmt::format("has its level at {}, below the floor at {}; raise the level", length_text(shape.level),
+                       length_text(box.lower.z())));
   box.upper.z() = std::min(box.upper.z(), shape.level);
   return make_filled(earlier.room, box);
 }
@@ -218,7 +217,7 @@ void check_extent(const Case& scene, const Shape& shape, const Bounds& bounds) {
       refuse(scene, shape,
              fmt::format(
                  "measures {} in {}, less than the spacing of {}; use a smaller numerics.spacing or a larger shape",
-                 length(extent), "xyz"[axis], length(spacing)));
+                 length_text(extent), "xyz"[axis], length_text(spacing)));
   }
 }
 

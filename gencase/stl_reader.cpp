@@ -13,12 +13,13 @@
 namespace thalweg::gencase {
 namespace {
 
-constexpr std::size_t head = 84;   // [bytes] before the facets of a binary file: a name of 80 and their number
+constexpr std::size_t bytes_before_facets =
+    84;                            // [bytes] before the facets of a binary file: a name of 80 and their number
 constexpr std::size_t facet = 50;  // [bytes] twelve numbers of four bytes, two bytes of attributes
 
 std::uint32_t announced_facets(const std::string& bytes) {
   std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + head - sizeof(count), sizeof(count));
+  std::memcpy(&count, bytes.data() + bytes_before_facets - sizeof(count), sizeof(count));
   return count;
 }
 
@@ -30,7 +31,7 @@ PolygonSoup read_binary(const std::string& bytes) {
   for (std::size_t f = 0; f < count; ++f) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {  // the normal comes first
       std::array<float, 3> place{};
-      std::memcpy(place.data(), bytes.data() + head + f * facet + corner * sizeof(place), sizeof(place));
+      std::memcpy(place.data(), bytes.data() + bytes_before_facets + f * facet + corner * sizeof(place), sizeof(place));
       soup.points.emplace_back(place[0], place[1], place[2]);
     }
     soup.polygons.push_back({3 * f, 3 * f + 1, 3 * f + 2});
@@ -120,8 +121,9 @@ void check_count(const std::string& what, double announced, double bytes, double
 }
 
 MeshFile read_stl(const std::string& bytes) {
-  const bool has_head = bytes.size() >= head;
-  if (has_head && bytes.size() == head + facet * announced_facets(bytes)) return {read_binary(bytes), {}};
+  const bool has_head = bytes.size() >= bytes_before_facets;
+  if (has_head && bytes.size() == bytes_before_facets + facet * announced_facets(bytes))
+    return {read_binary(bytes), {}};
   const std::string_view text(bytes);
   const std::string beginning = small_letters(text.substr(0, 1000));
   const std::size_t first = beginning.find_first_not_of(" \t\r\n");
@@ -129,7 +131,7 @@ MeshFile read_stl(const std::string& bytes) {
                        beginning.find('\0') == std::string::npos;
   if (is_text) return read_text(text);
   if (!has_head) throw InputError("is too short for an STL file; export it again");
-  check_count("facets", announced_facets(bytes), static_cast<double>(bytes.size() - head), facet);
+  check_count("facets", announced_facets(bytes), static_cast<double>(bytes.size() - bytes_before_facets), facet);
   return {read_binary(bytes), {"bytes behind its last facet are left out"}};
 }
 

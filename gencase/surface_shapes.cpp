@@ -23,8 +23,6 @@
 namespace thalweg::gencase {
 namespace {
 
-std::string length(double metres) { return format_quantity(metres, "m"); }
-
 std::string place(const Case& scene, const Vec3& p) {
   const auto text = [&](double metres) { return placed_text(metres, scene.numerics.spacing); };
   return fmt::format("x = {}, y = {}, z = {}", text(p.x()), text(p.y()), text(p.z()));
@@ -33,7 +31,7 @@ std::string place(const Case& scene, const Vec3& p) {
 /// "case.toml:12: shape "pier": pier.stl".
 std::string begin_of(const Case& scene, const Shape& shape) { return where(scene, shape) + ": " + shape.file; }
 
-[[noreturn]] void refuse(const Case& scene, const Shape& shape, const std::string& what) {
+[[noreturn]] void refuse_surface(const Case& scene, const Shape& shape, const std::string& what) {
   throw InputError(begin_of(scene, shape) + " " + what);
 }
 
@@ -66,9 +64,9 @@ void check_unit(const Case& scene, const Shape& shape, const Bounds& bounds) {
   constexpr double far_larger = 20;
   constexpr double thousandth = 1e-3;
   if (body.maxCoeff() < far_larger * domain.maxCoeff() || thousandth * body.maxCoeff() > domain.maxCoeff()) return;
-  refuse(scene, shape,
-         fmt::format("measures {} and the domain {}: its numbers look like millimetres; write scale = {}",
-                     length(body.maxCoeff()), length(domain.maxCoeff()), shape.scale * thousandth));
+  refuse_surface(scene, shape,
+                 fmt::format("measures {} and the domain {}: its numbers look like millimetres; write scale = {}",
+                             length_text(body.maxCoeff()), length_text(domain.maxCoeff()), shape.scale * thousandth));
 }
 
 void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bounds) {
@@ -76,7 +74,7 @@ void check_inside_domain(const Case& scene, const Shape& shape, const Bounds& bo
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.info.dimension == 2 && axis == 1) continue;
     if (bounds.upper[axis] > scene.domain.from[axis] && bounds.lower[axis] < scene.domain.to[axis]) continue;
-    refuse(
+    refuse_surface(
         scene, shape,
         fmt::format("lies outside of the domain: it reaches from {} to {} in {}, the domain from {} to {}; `move` it "
                     "or enlarge [domain]",
@@ -96,7 +94,7 @@ RepairLimits limits_of(const Case& scene, const Triangles& surface) {
 void refuse_defects(const Case& scene, const Shape& shape, const Triangles& surface, const MeshDefects& defects,
                     const Notes& notes) {
   const std::string picture = notes.draw(shape.name + ".defects", defects.places);
-  const std::string fills = fmt::format("holes up to {} across", length(limits_of(scene, surface).hole));
+  const std::string fills = fmt::format("holes up to {} across", length_text(limits_of(scene, surface).hole));
   std::string cure;
   if (shape.repair) {
     cure = fmt::format("the repair, which fills {}, could not cure this; mend the surface in the program that made it",
@@ -107,7 +105,7 @@ void refuse_defects(const Case& scene, const Shape& shape, const Triangles& surf
     cure = fmt::format("mend it in the program that made it, or run gencase with --repair, which fills {}", fills);
   }
   if (!picture.empty()) cure += "; the places are in " + picture;
-  refuse(scene, shape, fmt::format("has {}; {}", defects.text(), cure));
+  refuse_surface(scene, shape, fmt::format("has {}; {}", defects.text(), cure));
 }
 
 Triangles repaired(const Case& scene, const Shape& shape, const Triangles& surface, const Notes& notes) {
@@ -139,17 +137,17 @@ void check_thickness(const Case& scene, const Shape& shape, const Triangles& sur
   constexpr double share_of_edges = 0.01;  // sharp edges are thin everywhere
   const Thickness thickness = thickness_of(surface, limit * (1 - 1e-6));
   if (thickness.thin_share <= share_of_edges) return;
-  refuse(scene, shape,
-         fmt::format("is {} thin at {}, less than two spacings of {}, over {:.2g} % of its skin; use a smaller "
-                     "numerics.spacing, thicken it, or make it a plate with side = \"both\"",
-                     length(thickness.least), place(scene, thickness.where), length(scene.numerics.spacing),
-                     100 * thickness.thin_share));
+  refuse_surface(scene, shape,
+                 fmt::format("is {} thin at {}, less than two spacings of {}, over {:.2g} % of its skin; use a smaller "
+                             "numerics.spacing, thicken it, or make it a plate with side = \"both\"",
+                             length_text(thickness.least), place(scene, thickness.where),
+                             length_text(scene.numerics.spacing), 100 * thickness.thin_share));
 }
 
 RegionPointer make_body(const Case& scene, const Shape& shape, Triangles surface) {
   if (scene.info.dimension == 3) return make_polyhedron(std::move(surface));
   std::vector<Edge> cut = slice(surface);
-  if (cut.empty()) refuse(scene, shape, "does not meet the plane y = 0, in which a 2-D scene lies; `move` it");
+  if (cut.empty()) refuse_surface(scene, shape, "does not meet the plane y = 0, in which a 2-D scene lies; `move` it");
   return make_polygon(std::move(cut));
 }
 
@@ -173,12 +171,12 @@ SurveyFile placed_survey(const Case& scene, const Shape& shape, const Notes& not
   const double spacing = scene.numerics.spacing;
   const std::string found =
       fmt::format("gives two heights at {} place{}; the largest difference is {} at x = {}{}, lines {} and {}",
-                  repeated.places, repeated.places == 1 ? "" : "s", length(repeated.largest),
+                  repeated.places, repeated.places == 1 ? "" : "s", length_text(repeated.largest),
                   placed_text(p.x(), spacing), survey.has_y ? fmt::format(", y = {}", placed_text(p.y(), spacing)) : "",
                   survey.lines[repeated.first], survey.lines[repeated.second]);
   constexpr double tolerance = 0.01;  // [spacings]
   if (repeated.largest > tolerance * spacing * (1 + 1e-6))
-    refuse(scene, shape, found + "; remove the points that are wrong");
+    refuse_surface(scene, shape, found + "; remove the points that are wrong");
   notes.warn(fmt::format("{} {}; their means are taken", begin_of(scene, shape), found));
   return survey;
 }
@@ -187,15 +185,15 @@ void check_base(const Case& scene, const Shape& shape, const std::vector<Vec3>& 
   const auto lowest =
       std::min_element(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
   if (lowest->z() > shape.base) return;
-  refuse(scene, shape,
-         fmt::format("reaches down to {} at {}, and `base` is {}; lower the base", length(lowest->z()),
-                     place(scene, *lowest), length(shape.base)));
+  refuse_surface(scene, shape,
+                 fmt::format("reaches down to {} at {}, and `base` is {}; lower the base", length_text(lowest->z()),
+                             place(scene, *lowest), length_text(shape.base)));
 }
 
 /// The polygon (x, z) between a surface that does not change in y and the base.
 std::vector<Eigen::Vector2d> section(const Case& scene, const Shape& shape, std::vector<Vec3> points) {
   std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
-  if (points.size() < 2) refuse(scene, shape, "has fewer than two points; give at least two");
+  if (points.size() < 2) refuse_surface(scene, shape, "has fewer than two points; give at least two");
   std::vector<Eigen::Vector2d> polygon{{points.front().x(), shape.base}, {points.back().x(), shape.base}};
   for (auto p = points.rbegin(); p != points.rend(); ++p) polygon.emplace_back(p->x(), p->z());
   return polygon;
@@ -209,13 +207,13 @@ std::vector<Vec3> resolved(const Case& scene, const Shape& shape, const std::vec
   const double square = 0.25 * scene.numerics.spacing;
   std::vector<Vec3> means = averaged(points, square);
   notes.say(fmt::format("{}: {} points are averaged over squares of {}, a quarter of the spacing, to {}",
-                        begin_of(scene, shape), points.size(), length(square), means.size()));
+                        begin_of(scene, shape), points.size(), length_text(square), means.size()));
   return means;
 }
 
 RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& notes) {
   const SurveyFile survey = placed_survey(scene, shape, notes);
-  if (survey.points.empty()) refuse(scene, shape, "has no point; give at least three");
+  if (survey.points.empty()) refuse_surface(scene, shape, "has no point; give at least three");
   check_base(scene, shape, survey.points);
   if (!survey.has_y) {
     const auto polygon = section(scene, shape, survey.points);
@@ -230,7 +228,7 @@ RegionPointer make_survey(const Case& scene, const Shape& shape, const Notes& no
     // A triangulation of points above the base bounds a body by its making; no search for defects is needed.
     return make_body(scene, shape, closed_downward(triangulated(points), shape.base));
   } catch (const NoHeightField& error) {
-    refuse(scene, shape, error.what());
+    refuse_surface(scene, shape, error.what());
   }
 }
 
@@ -247,7 +245,7 @@ RegionPointer make_mesh(const Case& scene, const Shape& shape, double plate_thic
   const bool plate = is_wall(shape) && shape.side == WallSide::both;
   surface = checked(scene, shape, std::move(surface), plate ? SurfaceUse::plate : SurfaceUse::body, notes);
   if (plate && scene.info.dimension == 2)
-    refuse(scene, shape, "is a plate (side = \"both\"), which 3-D scenes have only; use a thin box or prism");
+    refuse_surface(scene, shape, "is a plate (side = \"both\"), which 3-D scenes have only; use a thin box or prism");
   if (plate) return make_plate(std::move(surface), plate_thickness);
   if (is_wall(shape) && shape.side == WallSide::inside && scene.info.dimension == 3)
     check_thickness(scene, shape, surface);
@@ -265,7 +263,7 @@ RegionPointer make_bathymetry(const Case& scene, const Shape& shape, const Notes
     return make_body(scene, shape,
                      checked(scene, shape, closed_downward(surface, shape.base), SurfaceUse::body, notes));
   } catch (const NoHeightField& error) {
-    refuse(scene, shape, error.what());
+    refuse_surface(scene, shape, error.what());
   }
 }
 

@@ -12,7 +12,7 @@ std::string millimetres(double metres) { return std::isnan(metres) ? "" : fmt::f
 std::string per_cent(double share) { return std::isnan(share) ? "-" : fmt::format("{:.1f} %", share * 1e2); }
 
 // Twelve digits: a coordinate counted from far away keeps its hundredth of a spacing.
-std::string number(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.12g}", value); }
+std::string cell_of(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.12g}", value); }
 
 void write_scalars(const std::filesystem::path& file, const std::vector<ScalarError>& scalars) {
   CsvTable table({{"reference", ""},
@@ -31,8 +31,8 @@ void write_scalars(const std::filesystem::path& file, const std::vector<ScalarEr
   for (const ScalarError& s : scalars) {
     const double error = s.compared_value - s.reference_value;
     const double relative = s.reference_value == 0 ? Profile::missing : error / std::abs(s.reference_value);
-    table.add_row({s.reference, s.compared, s.line, s.quantity, number(s.time), number(s.reference_value),
-                   number(s.compared_value), number(error), number(relative)});
+    table.add_row({s.reference, s.compared, s.line, s.quantity, cell_of(s.time), cell_of(s.reference_value),
+                   cell_of(s.compared_value), cell_of(error), cell_of(relative)});
   }
   table.write(file);
 }
@@ -91,9 +91,9 @@ void write_errors(const std::filesystem::path& folder, const Comparison& compari
   table.comments.emplace_back(comparison_method);
   table.comments.insert(table.comments.end(), comparison.remarks.begin(), comparison.remarks.end());
   for (const CurveError& e : comparison.errors) {
-    table.add_row({e.reference, e.compared, e.line, e.curve, number(e.time), std::to_string(e.points), number(e.from),
-                   number(e.to), number(e.rmse), number(e.normalised_rmse), number(e.bias), number(e.largest_error),
-                   number(e.largest_error_at), number(e.brier_skill), number(e.scatter),
+    table.add_row({e.reference, e.compared, e.line, e.curve, cell_of(e.time), std::to_string(e.points), cell_of(e.from),
+                   cell_of(e.to), cell_of(e.rmse), cell_of(e.normalised_rmse), cell_of(e.bias),
+                   cell_of(e.largest_error), cell_of(e.largest_error_at), cell_of(e.brier_skill), cell_of(e.scatter),
                    e.scatter_runs > 0 ? std::to_string(e.scatter_runs) : std::string()});
   }
   table.write(folder / "errors.csv");

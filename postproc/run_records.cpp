@@ -93,11 +93,11 @@ std::vector<Timing> read_timing(const fs::path& file) {
 std::vector<Repeatability> read_repeatability(const fs::path& file) {
   const std::optional<CsvTable> table = table_in(file);
   if (!table) return {};
-  const std::vector<std::string> curves = table->texts("curve");
+  const std::vector<std::string> names = table->texts("curve");
   const std::vector<double> times = table->numbers("time", "s");
   const std::vector<double> rms = table->numbers("rms", "m");
   std::vector<Repeatability> scatter;
-  for (std::size_t row = 0; row < curves.size(); ++row) scatter.push_back({curves[row], times[row], rms[row]});
+  for (std::size_t row = 0; row < names.size(); ++row) scatter.push_back({names[row], times[row], rms[row]});
   return scatter;
 }
 

@@ -17,7 +17,7 @@ namespace thalweg {
 namespace {
 
 constexpr std::size_t most_snapshots = 20;
-constexpr std::array places{0.25, 0.5, 0.75};
+constexpr std::array shares_of_length{0.25, 0.5, 0.75};
 
 /// Sums over the water around one place.
 struct Sums {
@@ -133,7 +133,7 @@ std::vector<VelocityStation> velocity_stations(const Case& of, const std::vector
   if (late.empty()) return {};
   const std::size_t stride = (late.size() + most_snapshots - 1) / most_snapshots;
   const double reach = 4 * of.numerics.spacing;
-  std::array<Sums, places.size()> sums;
+  std::array<Sums, shares_of_length.size()> sums;
   Way way;
   double read = 0;
   for (std::size_t n = 0; n < late.size(); n += stride) {
@@ -142,16 +142,17 @@ std::vector<VelocityStation> velocity_stations(const Case& of, const std::vector
     const ParticleSet& particles = *snapshot;
     if (read == 0) way = way_of(of, particles);
     read += 1;
-    for (std::size_t s = 0; s < places.size(); ++s) {
-      add(particles, way, way.from + places.at(s) * (way.to - way.from), reach, of.numerics.spacing, sums.at(s));
+    for (std::size_t s = 0; s < shares_of_length.size(); ++s) {
+      add(particles, way, way.from + shares_of_length.at(s) * (way.to - way.from), reach, of.numerics.spacing,
+          sums.at(s));
     }
   }
   const int across = 1 - way.component;
   const double width = of.info.dimension == 3 ? of.domain.to[across] - of.domain.from[across] : 1;
   std::vector<VelocityStation> stations;
-  for (std::size_t s = 0; s < places.size(); ++s) {
+  for (std::size_t s = 0; s < shares_of_length.size(); ++s) {
     if (!(sums.at(s).volume > 0)) continue;
-    const double place = way.from + places.at(s) * (way.to - way.from);
+    const double place = way.from + shares_of_length.at(s) * (way.to - way.from);
     stations.push_back(station_of(of, sums.at(s), place, 2 * reach * width, read));
   }
   return stations;

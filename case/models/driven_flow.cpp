@@ -29,10 +29,6 @@ bool is_not_periodic(const Case& c) {
   return known && !c.domain.is_periodic(c.flow.along == "x" ? 0 : 1);
 }
 
-bool has_no_water(const Case& c) {
-  return std::none_of(c.shapes.begin(), c.shapes.end(), [](const Shape& s) { return s.role == ShapeRole::water; });
-}
-
 bool is_braked_by_artificial_viscosity(const Case& c) {
   return c.numerics.artificial_viscosity > 0 && c.numerics.smoothing_ratio < least_ratio_of_viscosity_switch;
 }
@@ -55,7 +51,8 @@ std::vector<Rule> DrivenFlow::rules() {
            "name the direction in domain.periodic"},
           {has_tilted_gravity, "flow.drive", "a driven flow needs gravity straight down, along -z",
            "write gravity = [0, -9.81] (in space [0, 0, -9.81]) m/s^2, and give the tilt as flow.slope"},
-          {has_no_water, "flow.drive", "no shape of the scene is water, and the drive acts on water",
+          {[](const Case& c) { return !c.has_water(); }, "flow.drive",
+           "no shape of the scene is water, and the drive acts on water",
            "give a shape the role \"water\", or remove [flow]"},
           {is_without_friction, "flow.drive", "walls without friction let a flow down a slope accelerate for ever",
            "write wall_friction = \"smooth\" or \"rough\" in [model]"},

@@ -102,14 +102,6 @@ Vec3 centre_on_lattice(const Opening& opening, const Case& of, const std::option
 }
 
 namespace models {
-namespace {
-
-bool has_no_water(const Case& c) {
-  return c.inlets.empty() &&
-         std::none_of(c.shapes.begin(), c.shapes.end(), [](const Shape& s) { return s.role == ShapeRole::water; });
-}
-
-}  // namespace
 
 bool OpenBoundaries::is_on(const Case& whole) { return !whole.inlets.empty() || !whole.outlets.empty(); }
 
@@ -118,8 +110,8 @@ std::vector<Rule> OpenBoundaries::rules() {
            "write seepage = \"off\", or remove the inlets and outlets"},
           {DrivenFlow::is_on, "flow.drive", "a flow that is driven around a period has inlets or outlets too",
            "remove flow.drive, or the inlets and outlets"},
-          {has_no_water, "case.name", "the scene has outlets, and neither water nor an inlet",
-           "give a shape the role \"water\""}};
+          {[](const Case& c) { return c.inlets.empty() && !c.has_water(); }, "case.name",
+           "the scene has outlets, and neither water nor an inlet", "give a shape the role \"water\""}};
 }
 
 }  // namespace models

@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string number(double value) { return fmt::format("{:.6g}", value); }
-
 /// The picture of a map: its size and the place of its axes [pixels].
 struct MapFrame {
   static constexpr double width = 2000;
@@ -66,30 +64,30 @@ fs::path write_map(const FigureWriter& writer, const MapTable& table, const MapP
       embedded::script_map,
       {{"name", picture.name},
        {"look", std::string(embedded::script_look)},
-       {"width", number(MapFrame::width)},
-       {"height", number(frame.height())},
+       {"width", script_number(MapFrame::width)},
+       {"height", script_number(frame.height())},
        // A map that is longer in y than the picture is high keeps its shape and is narrower.
        {"shape", frame.true_height() > MapFrame::most ? "set size ratio -1\n" : ""},
-       {"left", number(MapFrame::left / MapFrame::width)},
-       {"right", number(1 - MapFrame::right / MapFrame::width)},
-       {"top", number(1 - MapFrame::above / frame.height())},
-       {"bottom", number(MapFrame::below / frame.height())},
-       {"x_from", number(map.x0 - half)},
-       {"x_to", number(map.x(map.nx - 1) + half)},
-       {"y_from", number(map.y0 - half)},
-       {"y_to", number(map.y(map.ny - 1) + half)},
-       {"y_tics", number(tic_step(frame.length_y, std::max(2, static_cast<int>(frame.axes_height() / 120))))},
+       {"left", script_number(MapFrame::left / MapFrame::width)},
+       {"right", script_number(1 - MapFrame::right / MapFrame::width)},
+       {"top", script_number(1 - MapFrame::above / frame.height())},
+       {"bottom", script_number(MapFrame::below / frame.height())},
+       {"x_from", script_number(map.x0 - half)},
+       {"x_to", script_number(map.x(map.nx - 1) + half)},
+       {"y_from", script_number(map.y0 - half)},
+       {"y_to", script_number(map.y(map.ny - 1) + half)},
+       {"y_tics", script_number(tic_step(frame.length_y, std::max(2, static_cast<int>(frame.axes_height() / 120))))},
        {"quantity",
         frame.axes_height() < tall ? "[" + picture.unit + "]" : picture.quantity + "  [" + picture.unit + "]"},
-       {"steps",
-        number(tic_step(picture.highest - picture.lowest, std::max(4, static_cast<int>(frame.axes_height() / 70))))},
-       {"lowest", number(picture.lowest)},
-       {"highest", number(picture.highest)},
+       {"steps", script_number(tic_step(picture.highest - picture.lowest,
+                                        std::max(4, static_cast<int>(frame.axes_height() / 70))))},
+       {"lowest", script_number(picture.lowest)},
+       {"highest", script_number(picture.highest)},
        {"palette", picture.palette},
        {"labels", labels},
        {"data", writer.data(table.file)},
        {"value", picture.value},
-       {"half", number(0.52 * map.step)},
+       {"half", script_number(0.52 * map.step)},
        {"lines", lines}});
   write_whole_text(script, [&](std::ostream& to) { to << text; });
   return script;

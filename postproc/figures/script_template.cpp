@@ -1,5 +1,7 @@
 #include "postproc/figures/script_template.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 #include <stdexcept>
 
@@ -27,5 +29,7 @@ std::string fill_template(std::string_view text, const TemplateValues& values) {
   }
   return filled;
 }
+
+std::string script_number(double value) { return fmt::format("{:.6g}", value); }
 
 }  // namespace thalweg

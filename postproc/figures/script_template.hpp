@@ -14,4 +14,7 @@ using TemplateValues = std::map<std::string, std::string>;
 /// program and template do not belong together.
 std::string fill_template(std::string_view text, const TemplateValues& values);
 
+/// A number as scripts take it, with six digits.
+std::string script_number(double value);
+
 }  // namespace thalweg

@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string number(double value) { return fmt::format("{:.6g}", value); }
-
 /// The places of a cut, in order.
 std::vector<std::size_t> cut_through(const BedMap& map, bool along_x, const std::array<std::size_t, 2>& place) {
   std::vector<std::size_t> places;
@@ -108,16 +106,16 @@ fs::path section_script(const FigureWriter& writer, const MapTable& table, bool 
   if (map.ny > 1) where = along_x ? "y = " + metres.text(map.y(place[1])) : "x = " + metres.text(map.x(place[0]));
   return writer.write(
       name, 1000, 270,
-      fill_template(embedded::script_section, {{"from", number(from - map.step / 2)},
-                                               {"to", number(to + map.step / 2)},
-                                               {"z_from", number(bottom)},
-                                               {"z_to", number(top)},
+      fill_template(embedded::script_section, {{"from", script_number(from - map.step / 2)},
+                                               {"to", script_number(to + map.step / 2)},
+                                               {"z_from", script_number(bottom)},
+                                               {"z_to", script_number(top)},
                                                {"abscissa", along_x ? "x" : "y"},
                                                {"unit", height.name},
                                                {"place", where},
-                                               {"deepest", number(along_x ? map.x(place[0]) : map.y(place[1]))},
-                                               {"level_before", number(map.before[deepest] / height.size)},
-                                               {"level_now", number(map.now[deepest] / height.size)},
+                                               {"deepest", script_number(along_x ? map.x(place[0]) : map.y(place[1]))},
+                                               {"level_before", script_number(map.before[deepest] / height.size)},
+                                               {"level_now", script_number(map.now[deepest] / height.size)},
                                                {"curves", joined_plots(plots)}}));
 }
 

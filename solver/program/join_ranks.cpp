@@ -37,7 +37,7 @@ bool is_one_of_several() {
 namespace fs = std::filesystem;
 
 constexpr const char* status_file = "THALWEG_STATUS_FILE";
-constexpr const char* cure =
+constexpr const char* way_to_mpi =
     "install OpenMPI (Debian: apt install libopenmpi-dev openmpi-bin) and build again, or run on one rank";
 
 }  // namespace
@@ -45,10 +45,10 @@ constexpr const char* cure =
 std::unique_ptr<Ranks> join_ranks() {
   if (!is_one_of_several()) return nullptr;
   const auto file = find_module(ranks_module);
-  if (file.empty()) throw RunError(std::string("this build of Thalweg has no MPI; ") + cure);
+  if (file.empty()) throw RunError(std::string("this build of Thalweg has no MPI; ") + way_to_mpi);
   // Global: OpenMPI loads components of its own, which look for its symbols.
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (module == nullptr) throw RunError(std::string("cannot load MPI: ") + dlerror() + "; " + cure);
+  if (module == nullptr) throw RunError(std::string("cannot load MPI: ") + dlerror() + "; " + way_to_mpi);
   const auto join = reinterpret_cast<Ranks* (*)()>(dlsym(module, "thalweg_join_ranks"));
   std::unique_ptr<Ranks> ranks(join());
   return ranks->size() > 1 ? std::move(ranks) : nullptr;
@@ -56,7 +56,7 @@ std::unique_ptr<Ranks> join_ranks() {
 
 int run_on_ranks(int ranks, const std::vector<std::string>& arguments) {
   if (find_module(ranks_module).empty()) {
-    throw InputError(std::string("--ranks: this build of Thalweg has no MPI; ") + cure);
+    throw InputError(std::string("--ranks: this build of Thalweg has no MPI; ") + way_to_mpi);
   }
   const fs::path told = fs::temp_directory_path() / ("thalweg-status-" + std::to_string(getpid()));
   setenv(status_file, told.c_str(), 1);
@@ -79,7 +79,7 @@ int run_on_ranks(int ranks, const std::vector<std::string>& arguments) {
     status = run_in_foreground(command);
   } catch (const StartError& error) {
     if (!error.not_found()) throw;
-    throw InputError(std::string("--ranks: mpirun is not installed; ") + cure);
+    throw InputError(std::string("--ranks: mpirun is not installed; ") + way_to_mpi);
   }
   std::ifstream file(told);
   if (int first_rank = 0; file >> first_rank) status = first_rank;

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that every header compiles alone: headers.py ROOT BUILD
+"""Checks that every header compiles alone: headers.py ROOT DATABASE
 
-A header is given to the compiler with the flags of the translation units of its room, taken from BUILD's
-compile_commands.json, so that it sees what they see and nothing that another header happens to include first. A header
-that a unit includes before anything else was compiled alone when that unit was built, and is not compiled again.
+A header is given to the compiler with the flags of the translation units of its room, taken from DATABASE's
+compile_commands.json, in which each source is a unit by itself, so that it sees what they see and nothing that another header
+happens to include first. A header that a unit includes before anything else is read alone when that unit is analysed
+(static_analysis.py), and is not compiled again.
 """
 
 import concurrent.futures

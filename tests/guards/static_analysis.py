@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy over the units of the programs: static_analysis.py ROOT BUILD CLANG_TIDY PLUGIN
+"""Runs clang-tidy over the units of the programs: static_analysis.py ROOT BUILD DATABASE CLANG_TIDY PLUGIN
 
 The tests are left out: they cost as much again and decide nothing for a user. PLUGIN keeps the checks out of the libraries'
-headers (static_analysis/own_sources.cpp). A unit that passed is analysed again only when its text, one of the files that it
-was built from, its flags or the checks have changed; BUILD/static_analysis remembers.
+headers (static_analysis/own_sources.cpp). DATABASE holds the compile_commands.json in which each source is a unit by itself,
+whatever BUILD has compiled together; so every source is also known to compile alone. A unit that passed is analysed again
+only when its text, one of the files that it was built from, its flags or the checks have changed; BUILD/static_analysis
+remembers.
 """
 
 import concurrent.futures
@@ -11,17 +13,16 @@ import hashlib
 import json
 import os
 import pathlib
-import shlex
 import subprocess
 import sys
 
 PROGRAMS = ("physics", "common", "case", "gencase", "solver", "postproc", "foam_reference")
 
 
-def units(root, build):
+def units(root, database):
     """One compile command per source file: a source that is compiled for several processors says the same in each."""
     chosen = {}
-    for entry in json.loads((build / "compile_commands.json").read_text()):
+    for entry in json.loads((database / "compile_commands.json").read_text()):
         path = pathlib.Path(entry["directory"], entry["file"]).resolve()
         if path.suffix == ".cpp" and path.is_relative_to(root) and path.relative_to(root).parts[0] in PROGRAMS:
             chosen.setdefault(path, entry)
@@ -29,15 +30,16 @@ def units(root, build):
 
 
 def built_from(build):
-    """For each object that ninja has built, the files that it was made of, as ninja noted them."""
+    """For each source that ninja has built, the object and the files that this was made of, as ninja noted them: of an object
+    of several sources all of theirs."""
     listing = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True).stdout
-    found, files = {}, []
+    objects, files = {}, []
     for line in listing.splitlines():
         if line.startswith("    "):
             files.append(build / line.strip())
         elif ": #deps" in line:
-            files = found[line.split(": #deps")[0]] = []
-    return found
+            files = objects[build / line.split(": #deps")[0]] = []
+    return {path.resolve(): (built, files) for built, files in objects.items() for path in files if path.suffix == ".cpp"}
 
 
 class Digests:
@@ -55,10 +57,8 @@ class Digests:
         return self.known[path]
 
 
-def fingerprint(entry, files, digests, always):
+def fingerprint(entry, built, files, digests, always):
     """Changes whenever the analysis of a unit could come out differently; None if a file is newer than what ninja noted."""
-    words = shlex.split(entry["command"])
-    built = pathlib.Path(entry["directory"], words[words.index("-o") + 1])
     try:
         parts = [digests.of(path) for path in files]
         if not files or any(changed > built.stat().st_mtime_ns for _, changed in parts):
@@ -75,15 +75,15 @@ def analyse(path, root, database, clang_tidy, plugin):
     return result.returncode and (result.stdout or result.stderr or f"{path}: clang-tidy ended with {result.returncode}")
 
 
-def check(root, build, clang_tidy, plugin):
-    root, build, plugin = (pathlib.Path(path).resolve() for path in (root, build, plugin))
+def check(root, build, database, clang_tidy, plugin):
+    root, build, database, plugin = (pathlib.Path(path).resolve() for path in (root, build, database, plugin))
     passed = build / "static_analysis"
     passed.mkdir(exist_ok=True)
-    chosen, made_of, digests = units(root, build), built_from(build), Digests(root)
+    chosen, made_of, digests = units(root, database), built_from(build), Digests(root)
     always = (root / ".clang-tidy").read_bytes() + plugin.read_bytes()
-    files = {path: made_of.get((words := shlex.split(entry["command"]))[words.index("-o") + 1], [])
-             for path, entry in chosen.items()}
-    marks = {path: fingerprint(entry, files[path], digests, always) for path, entry in chosen.items()}
+    made = {path: made_of.get(path, (None, [])) for path in chosen}
+    files = {path: found for path, (_, found) in made.items()}
+    marks = {path: fingerprint(entry, *made[path], digests, always) for path, entry in chosen.items()}
     changed = [path for path in chosen if not (marks[path] and (passed / marks[path]).exists())]
     print(f"{len(chosen)} units, {len(changed)} of them new or changed")
 

@@ -65,7 +65,7 @@ class StaticAnalysis(unittest.TestCase):
     def findings(self):
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
-            status = static_analysis.check(self.root, self.root / "build", CLANG_TIDY, PLUGIN)
+            status = static_analysis.check(self.root, self.root / "build", self.root / "build", CLANG_TIDY, PLUGIN)
         return status, said.getvalue()
 
     def test_a_clean_unit_passes_whatever_its_libraries_do(self):
@@ -102,7 +102,7 @@ class Memory(unittest.TestCase):
 
     def mark(self, command="c++ -o law.o -c law.cpp"):
         entry = {"directory": str(self.root), "file": "law.cpp", "command": command}
-        return static_analysis.fingerprint(entry, self.files, static_analysis.Digests(self.root), b"checks")
+        return static_analysis.fingerprint(entry, self.root / "law.o", self.files, static_analysis.Digests(self.root), b"checks")
 
     def test_content_and_flags_count(self):
         before = self.mark()
