@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/water/equation_of_state.hpp"
+#include "solver/backend/device.hpp"
 #include "solver/models/bed_load/arrays.hpp"
 #include "solver/models/openings/zone.hpp"
 #include "solver/state/particles.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "physics/host_device.hpp"
 #include "solver/state/record.hpp"
 
