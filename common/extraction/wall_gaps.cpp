@@ -97,6 +97,19 @@ class Gaps {
   std::vector<std::uint8_t> is_room_;  // of leaders
 };
 
+/// True if walls stand so far apart, with so little between them, that the rectangle around them cannot be held.
+bool is_scattered(const RunsOfColumns& columns) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const auto& [place, runs] : columns) {
+    low = std::min(low, static_cast<double>(place.second));
+    high = std::max(high, static_cast<double>(place.second));
+  }
+  const double along =
+      static_cast<double>(columns.rbegin()->first.first) - static_cast<double>(columns.begin()->first.first);
+  return (along + 1) * (high - low + 1) > 1e6 + 100.0 * static_cast<double>(columns.size());
+}
+
 }  // namespace
 
 long column_of(double coordinate, double spacing) { return std::lround(std::floor(coordinate / spacing + 1e-3)); }
@@ -104,7 +117,7 @@ long column_of(double coordinate, double spacing) { return std::lround(std::floo
 void join_hollow_walls(const ParticleSet& particles, double spacing, RunsOfColumns& columns) {
   const bool any_gap =
       std::any_of(columns.begin(), columns.end(), [](const auto& column) { return column.second.size() > 1; });
-  if (!any_gap) return;
+  if (!any_gap || is_scattered(columns)) return;
   Gaps gaps(columns, spacing);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (is_fluid(particles.type[i])) gaps.mark(particles.position[i]);

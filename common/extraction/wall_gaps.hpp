@@ -21,7 +21,8 @@ using RunsOfColumns = std::map<std::pair<long, long>, std::vector<WallRun>>;
 
 /// Joins runs of one solid. Gencase keeps of a thick wall a shell along each of its faces, so that a floor is two runs
 /// with a hollow between them. A gap between two runs is room of the flow if fluid is in it, or if it is connected, within
-/// the outermost columns, to what lies over the walls; else the runs below and above it become one. spacing [m].
+/// the outermost columns, to what lies over the walls; else the runs below and above it become one. Walls scattered far
+/// apart stay as they are. spacing [m].
 void join_hollow_walls(const ParticleSet& particles, double spacing, RunsOfColumns& columns);
 
 /// Column of a coordinate [m], one spacing [m] wide. They are counted from half a spacing, so that rounding never splits the
