@@ -14,7 +14,8 @@
 // deposit; places move, and densities change, with velocity plus drift.
 namespace thalweg {
 
-/// Particle pass: the drift of parcels in suspension, sink(), of an inlet's, as it says, and over the surface of the bed the drift u_d of bed load, into the work quad, from that of the last step.
+/// Particle pass: the drift of the sediment, into the work quad. A parcel in suspension sinks (sink()). The row of an inlet
+/// has the drift that the inlet gives it. Bed load over the surface of the bed has u_d, from that of the last step:
 ///   target   q_b(theta, theta_cr)/((1 - n) dp) along the water's velocity over the bed (bed_load_drift.hpp)
 ///   u_d      (1 - f) target + f sum_b w u_d,b/sum_b w,  w = V_b W (r.e)+ over the surface upstream, where a bed that
 ///            does not move, or a wall, sends nothing;  f = L/(L + l),  l = sum w (r.e)/sum w

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "physics/water/equation_of_state.hpp"
 #include "solver/backend/device.hpp"
 #include "solver/models/bed_load/arrays.hpp"
-#include "solver/models/openings/zone.hpp"
+#include "solver/models/openings/flow.hpp"
 #include "solver/state/particles.hpp"
 #include "solver/state/scene.hpp"
 
@@ -24,6 +23,7 @@ struct PrescribeFeedPass {
   Drift* drift;
   const Zone* zones;
   const double* levels;
+  const BesideOpening* beside;
   const double* feeds;  // [m/s] of the rows
   Index count;          // of zones
   Scene<Dim> scene;
@@ -33,23 +33,22 @@ struct PrescribeFeedPass {
     for (Index n = 0; n < count; ++n) {
       const Zone& zone = zones[n];
       if (!zone.feeds || !is_in_feed(zone, in_opening(zone, positions[i].x))) continue;
-      return prescribe(i, zone, levels[n], feeds[n]);
+      return prescribe(i, zone, pressure_in_zone(zone, levels[n], beside[n].pressure, positions[i].x, scene), feeds[n]);
     }
     roles[i] = Role::integrated;
   }
 
  private:
-  HOST_DEVICE void prescribe(Index i, const Zone& zone, double level, double speed) const {
+  /// of_water [Pa]: at the particle's middle, if water were in its place; half a spacing of the bed lies over it.
+  HOST_DEVICE void prescribe(Index i, const Zone& zone, double of_water, double speed) const {
     Record& r = records[i];
     r.kind = kind::bed_load;
     for (int c = 0; c < 3; ++c) {
       r.velocity[c] = 0;
       drift[i].velocity[c] = static_cast<float>(speed * zone.flow[c]);
     }
-    const double g = -double(scene.gravity[Dim - 1]);
-    const double head = level - (zone.at[2] - zone.half_up);
-    const double of_water = head > 0 ? double(scene.water_density) * g * head : 0;
-    const double pressure = of_water + double(scene.sediment_density) * g * 0.5 * zone.spacing;
+    const double heavier = double(scene.sediment_density) - double(scene.water_density);
+    const double pressure = of_water - heavier * double(scene.gravity[Dim - 1]) * 0.5 * zone.spacing;
     r.excess = static_cast<float>(tait_excess(pressure, double(scene.stiffness(kind::bed_load))));
   }
 };

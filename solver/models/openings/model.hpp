@@ -152,10 +152,10 @@ struct OpeningsModel {
                                                  work.levels.data(), work.beside.data(), work.speeds.data(),
                                                  static_cast<Index>(work.zones.size()), step.scene});
     if (!brings_bed_load(*work.openings)) return;
-    step.on.for_each(p.fluid_count,
-                     PrescribeFeedPass<C::dimension>{p.record.data(), p.position.data(), p.role.data(), p.drift.data(),
-                                                     work.zones.data(), work.levels.data(), work.feeds.data(),
-                                                     static_cast<Index>(work.feeds.size()), step.scene});
+    step.on.for_each(p.fluid_count, PrescribeFeedPass<C::dimension>{
+                                        p.record.data(), p.position.data(), p.role.data(), p.drift.data(),
+                                        work.zones.data(), work.levels.data(), work.beside.data(), work.feeds.data(),
+                                        static_cast<Index>(work.feeds.size()), step.scene});
   }
 
   template <class C>
