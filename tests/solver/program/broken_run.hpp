@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 #include "tests/solver/case_run.hpp"
 
 // A run with a break has to end as the one without, to the last bit.
@@ -35,6 +37,15 @@ inline void run_with_a_break(const std::filesystem::path& path, const std::vecto
     ASSERT_EQ(ends.straight.velocity[i], ends.joined.velocity[i]) << "particle " << ends.straight.id[i];
   }
   EXPECT_EQ(ends.straight.scalars, ends.joined.scalars);
+}
+
+/// Expects that all arrays of doubles and these facts of the two checkpoints are the same, and that the facts are there.
+inline void expect_equal_ends(const TwoEnds& ends, std::initializer_list<const char*> facts) {
+  EXPECT_EQ(ends.straight.doubles, ends.joined.doubles);
+  for (const char* fact : facts) {
+    ASSERT_TRUE(ends.straight.facts.contains(fact)) << fact;
+    EXPECT_EQ(ends.straight.facts.at(fact), ends.joined.facts.at(fact)) << fact;
+  }
 }
 
 }  // namespace thalweg::test
