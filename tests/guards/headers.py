@@ -38,10 +38,10 @@ def flags_of(command):
 
 
 def units_of(root, build):
-    """The project's units that BUILD compiles, each with its command."""
+    """The project's units that BUILD compiles, each with its command; not those that it writes itself."""
     for entry in json.loads((build / "compile_commands.json").read_text()):
         path = pathlib.Path(entry["directory"], entry["file"]).resolve()
-        if path.is_relative_to(root) and path.suffix == ".cpp":
+        if path.is_relative_to(root) and not path.is_relative_to(build) and path.suffix == ".cpp":
             yield path, entry["command"]
 
 
