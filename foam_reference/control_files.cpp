@@ -4,6 +4,7 @@
 #include "foam_reference/bed_files.hpp"
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
+#include "foam_reference/gauges.hpp"
 #include "foam_reference/open_patches.hpp"
 #include "foam_reference/openings.hpp"
 
@@ -112,7 +113,7 @@ functions
                      {"first_step", number(step / 20)},
                      {"largest_step", number(step)},
                      {"interval", number(write_interval(foam_case.scene))},
-                     {"functions", volume_functions(foam_case)}});
+                     {"functions", volume_functions(foam_case) + gauge_functions(foam_case)}});
 }
 
 std::string schemes(const FoamCase& foam_case) {

@@ -1,5 +1,6 @@
 #include "foam_reference/function_table.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -13,6 +14,8 @@ std::vector<std::vector<double>> read_table(const std::filesystem::path& file) {
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with("#")) continue;
+    std::ranges::replace_if(
+        line, [](char c) { return c == '(' || c == ')'; }, ' ');  // around a vector
     std::istringstream text(line);
     rows.emplace_back();
     for (double value = 0; text >> value;) rows.back().push_back(value);

@@ -52,6 +52,7 @@ void write_files(const fs::path& folder, const CaseFiles& files) {
 void clean(const fs::path& folder, const FoamCase& foam_case) {
   fs::remove(folder / "summary.csv");
   fs::remove(folder / "history.csv");
+  fs::remove(folder / "gauges.csv");
   fs::remove_all(folder / "profiles");
   fs::remove_all(folder / "case" / "system");
   fs::remove_all(folder / "case" / "constant");

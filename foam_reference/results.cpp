@@ -16,6 +16,7 @@
 #include "foam_reference/current_records.hpp"
 #include "foam_reference/field_file.hpp"
 #include "foam_reference/function_table.hpp"
+#include "foam_reference/gauges.hpp"
 #include "foam_reference/reference_run.hpp"
 #include "foam_reference/summary.hpp"
 #include "foam_reference/velocity_sampler.hpp"
@@ -196,6 +197,7 @@ std::vector<VolumeBalance> write_results(const FoamCase& foam_case, const fs::pa
   if (foam_case.has_eroding_bed()) balances.push_back(balance_of_grains(folder));
   write_profiles(foam_case, folder);
   write_velocities(foam_case, folder);
+  write_gauges(foam_case, folder);
   write_history(foam_case, folder, run.steps);
   write_summary(foam_case, folder / "summary.csv", run, cells, balances);
   return balances;

@@ -7,7 +7,8 @@ from study import norms, pictures
 from thalweg.tables import markdown
 
 DISCUSSION = pathlib.Path(__file__).with_name("discussion.md")
-COLOURS = {"spacing": "#c0392b", "product": "#2b6cb0", "one at a time": "#8c6239", "recorded": "#4a4a4a"}
+COLOURS = {"spacing": "#c0392b", "product": "#2b6cb0", "one at a time": "#8c6239", "mesh": "#4a4a4a"}
+ON_MESH = ("mesh", "finest mesh")  # groups
 
 
 def metres(spacing):
@@ -16,9 +17,15 @@ def metres(spacing):
 
 
 def measured(rows, problem):
-    """Rows of the problem that have an error and took time: (CPU s, error, row)."""
+    """Particles: rows of the problem that have an error and took time: (CPU s, error, row)."""
     return [(float(row["cpu [s]"]), float(row["error"]), row) for row in rows
-            if row["problem"] == problem["name"] and row["error"]]
+            if row["problem"] == problem["name"] and row["error"] and row["group"] not in ON_MESH]
+
+
+def on_mesh(rows, problem):
+    """The same of the mesh's rows."""
+    return [(float(row["cpu [s]"]), float(row["error"]), row) for row in rows
+            if row["problem"] == problem["name"] and row["error"] and row["group"] in ON_MESH]
 
 
 def series(rows, problem):
@@ -44,27 +51,28 @@ def tics(values):
     return ", ".join(f"{digit * 10.0 ** power:g}" for power in decades for digit in (1, 2, 5))
 
 
-def draw_problem(problem, rows, recorded, out):
+def draw_problem(problem, rows, out):
     """Error over CPU seconds of all points, the Pareto front as a line, its points numbered as in front_table()."""
     points = measured(rows, problem)
     groups = {}
     for cpu, error, row in points:
         group = row["group"] if row["group"] in ("spacing", "product") else "one at a time"
         groups.setdefault(group, []).append(f"{cpu:g} {error:g}")
-    others = [entry for entry in recorded if entry["problem"] == problem["name"]]
+    meshes = on_mesh(rows, problem)
     front = norms.pareto_front([(cpu, error) for cpu, error, _ in points])
     blocks = [("front", "\n".join(f"{cpu:g} {error:g} {n}" for n, (cpu, error) in enumerate(front, 1)))]
     blocks += [(group.replace(" ", "_"), "\n".join(lines)) for group, lines in groups.items()]
     plots = ['$front using 1:2 with steps lw 2 lc rgb "black" title "Pareto front"']
     plots += [f'${group.replace(" ", "_")} using 1:2 with points pt 7 ps {0.9 if group == "spacing" else 0.5} '
               f'lc rgb "{COLOURS[group]}" title "{TITLES[group]}"' for group in sorted(groups)]
-    if others:
-        blocks.append(("recorded", "\n".join(f'{o["cpu_seconds"]} {o["error"]} "{o["name"]}"' for o in others)))
-        plots.append(f'$recorded using 1:2 with points pt 4 lc rgb "{COLOURS["recorded"]}" title "OpenFOAM, from its own finest"')
-        plots.append(f'$recorded using 1:2:3 with labels offset 0,0.8 font ",9" tc rgb "{COLOURS["recorded"]}" notitle')
+    if meshes:
+        blocks.append(("mesh", "\n".join(f'{cpu:g} {error:g} "{row["changed"]}, {row["spacing"]}"' for cpu, error, row in meshes)))
+        title = "OpenFOAM, from its own finest" if "finest" in problem else "OpenFOAM"
+        plots.append(f'$mesh using 1:2 with points pt 4 lc rgb "{COLOURS["mesh"]}" title "{title}"')
+        plots.append(f'$mesh using 1:2:3 with labels offset 0,0.8 font ",9" tc rgb "{COLOURS["mesh"]}" notitle')
     plots.append('$front using 1:2:3 with labels left offset 0.5,0.6 font ",10" notitle')
-    xs = [cpu for cpu, _, _ in points] + [entry["cpu_seconds"] for entry in others]
-    ys = [error for _, error, _ in points] + [entry["error"] for entry in others]
+    xs = [cpu for cpu, _, _ in points + meshes]
+    ys = [error for _, error, _ in points + meshes]
     data = "\n".join(f"${name} << END\n{lines}\nEND" for name, lines in blocks)
     pictures.draw(f"""{data}
 set logscale xy
@@ -97,6 +105,37 @@ def spacing_table(rows, problem):
               row["particle-steps per CPU s [1/s]"]] for _, error, row in series(rows, problem)]
     return markdown(["spacing", "particles", "steps", f"{problem['measure']} [{problem['unit']}]", "further measures",
                      "CPU s", "particle-steps per CPU s"], table)
+
+
+def mesh_table(rows, problem):
+    """The problem on a mesh."""
+    table = []
+    for row in rows:
+        if row["problem"] != problem["name"] or row["group"] not in ON_MESH:
+            continue
+        if row["failure"]:
+            table.append([row["changed"], row["spacing"], "", "", "failed: " + row["failure"], "", "", ""])
+        else:
+            error = f"{float(row['error']):.3g}" if row["error"] else "is the finest"
+            table.append([row["changed"], row["spacing"], row["particles [-]"], row["steps [-]"], error, further(row),
+                          row["cpu [s]"], row["particle-steps per CPU s [1/s]"]])
+    return markdown(["model", "cells", "number", "steps", f"{problem['measure']} [{problem['unit']}]", "further measures",
+                     "CPU s", "cell-steps per CPU s"], table)
+
+
+def methods_table(rows, problems):
+    """Each mesh point beside the most accurate particles, as the case has them, that take no more seconds."""
+    table = []
+    for problem in problems:
+        for cpu, error, row in on_mesh(rows, problem):
+            cheaper = [(e, c, r) for c, e, r in measured(rows, problem) if r["group"] == "spacing" and c <= cpu]
+            mesh = [problem["name"], problem["measure"], row["changed"], row["spacing"], f"{error:.3g}", f"{cpu:.3g}"]
+            if not cheaper:
+                table.append([*mesh, "none is as cheap", "", "", ""])
+                continue
+            best, seconds, theirs = min(cheaper, key=lambda found: found[0])
+            table.append([*mesh, theirs["spacing"], f"{best:.3g}", f"{seconds:.3g}", "particles" if best < error else "mesh"])
+    return markdown(["problem", "error", "model", "cells", "error", "CPU s", "particles", "error", "CPU s", "smaller error"], table)
 
 
 def times(value, reference):
@@ -225,9 +264,17 @@ def page(problems, rows, made, left_out):
               "", *accuracy_table(rows, problems), "", "## What each choice does", "",
               "Error / CPU seconds, over those of the case as it is at the same spacing. Below 1 is better.", "",
               *overview_table(rows, problems), ""]
+    if any(on_mesh(rows, problem) for problem in problems):
+        lines += ["## Particles and mesh", "",
+                  "Each run of OpenFOAM beside the particles with the smallest error among those that took no more seconds, with the "
+                  "numerics as each case has them. Distances \"from the finest\" and of Louvain's bed are from the same method's finest "
+                  "run, so that they tell how far a method has converged, not which of both is right.", "",
+                  *methods_table(rows, problems), ""]
     for problem in problems:
         lines += [f"## {problem['title']}", "", f"`{problem['case']}`; {problem['meaning']}.", "",
                   f"![Error against seconds](images/speed_vs_error_{problem['name']}.svg)", "", *spacing_table(rows, problem), "",
                   "Pareto front:", "", *front_table(rows, problem), "", "One key changed at a time:", "",
                   *choice_table(rows, problem), ""]
+        if any(row["problem"] == problem["name"] and row["group"] in ON_MESH for row in rows):
+            lines += ["On a mesh (`thalweg foam`):", "", *mesh_table(rows, problem), ""]
     return "\n".join(lines)

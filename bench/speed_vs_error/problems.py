@@ -9,6 +9,7 @@ import math
 import water
 import water_norms
 from cavity import Cavity
+from channel import Channel
 from study import norms
 from study.of_particles import front_of_water
 from study.origin import ROOT
@@ -183,6 +184,14 @@ class Impact:
                 for row in read_table(self.table) for sensor in ("p1", "p3", "p4")]
 
     def errors(self, run, finest=None):
+        gauges = Gauges(run)
+        time, pressure = math.sqrt(self.depth / GRAVITY), 1000 * GRAVITY * self.depth
+        floor = gauges.series("floor.pressure", time, pressure)
+        return self.of_sensors(run) | {"release noise": water_norms.noise(floor, 0.01 / time, 0, 0.2 / time),
+                                       "energy rise": water.energy_rise(run)}
+
+    def of_sensors(self, run):
+        """What the sensors on the wall tell."""
         measured = [row[sensor] for row in read_table(self.table) for sensor in ("p1", "p3", "p4")]
         time, pressure = math.sqrt(self.depth / GRAVITY), 1000 * GRAVITY * self.depth
         gauges = Gauges(run)
@@ -196,9 +205,7 @@ class Impact:
                 "arrival": abs(arrival - self.arrival),
                 "noise": norms.rms(noise(sensor, 3.5, 4) for sensor in ("p1", "p3", "p4")),
                 "noise after the peak": noise("p1", 2.5, 4),
-                "peak": max(p for _, p in first) / self.peak,
-                "release noise": noise("floor", 0, 0.2 / time),
-                "energy rise": water.energy_rise(run)}
+                "peak": max(p for _, p in first) / self.peak}
 
 
 class Box:
@@ -208,14 +215,17 @@ class Box:
     depth = 0.55  # [m]
     reference = ROOT / "cases/spheric02/reference"
 
+    def heights(self, gauges):
+        """Root mean square of the heights less those measured, over the depth."""
+        return norms.rms(gauges.at(f"{probe}.level", row["time"]) - row[probe]
+                         for row in read_table(self.reference / "heights.csv") for probe in ("h1", "h2", "h3", "h4")) / self.depth
+
     def errors(self, run, finest=None):
         gauges = Gauges(run)
-        heights = [gauges.at(f"{probe}.level", row["time"]) - row[probe]
-                   for row in read_table(self.reference / "heights.csv") for probe in ("h1", "h2", "h3", "h4")]
         scale = 1000 * GRAVITY * self.depth
         wrong = [norms.mean_between(gauges.series(f"{sensor}.pressure"), row["from"], row["to"]) - row[sensor]
                  for row in read_table(self.reference / "pressures.csv") for sensor in ("p1", "p2", "p3", "p4")]
-        return {"height": norms.rms(heights) / self.depth,
+        return {"height": self.heights(gauges),
                 "pressure": norms.rms(wrong) / scale}
 
 
@@ -237,4 +247,4 @@ PROBLEMS = {"poiseuille": Slot(), "taylor_green": Vortex(), "taylor_green_100": 
             "still_water": Still(), "still_water_10s": Still(), "still_tank": water.StillTank(),
             "standing_wave": water.StandingWave(), "dry_bed": water.DryBed(), "dry_sand": water.DryBed(), "dry_wall": water.DryBed(),
             "drop": water.Falling(), "splash": water.Falling(), "dam_break": DamBreak(), "impact": Impact(), "spheric02": Box(),
-            "louvain": Louvain()}
+            "louvain": Louvain(), "channel": Channel()}

@@ -21,10 +21,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
 from page import draw_problem, measured, page, summary_lines
+from on_mesh import ON_MESH
 from problems import PROBLEMS, resolved
 from study import origin, runs
 from study.costs import overrides
 from thalweg.programs import call
+from study.mesh_run import MeshRun
 from study.record import RECORDS
 from thalweg.tables import write_table
 
@@ -100,6 +102,43 @@ class Point:
                       "particle-steps per CPU s [1/s]": f"{steps * particles / max(cpu, 1e-3):.3g}", "failure": ""}
 
 
+class MeshPoint:
+    """One run of one problem on a mesh."""
+
+    def __init__(self, matrix, problem, mesh, cell, group="mesh"):
+        self.problem, self.group, self.cell, self.model = problem, group, cell, mesh["model"]
+        settings = [*problem.get("set", []), *mesh.get("set", [])]
+        label = f"{problem['name']} {self.model} {cell} cells"
+        self.run = MeshRun(matrix.thalweg, matrix.out / "runs", ROOT / problem["case"], label, settings, cell, self.model)
+        self.failure = None
+
+    def compute(self, again):
+        """Computes the run unless it is there; one that fails is left out, with its reason."""
+        del again  # one that failed is always tried again: its reason is most often that OpenFOAM is missing
+        try:
+            self.run.compute()
+        except RuntimeError as error:
+            self.failure = str(error).splitlines()[-1].split("error: ")[-1]
+            print(f"failed: {self.run.name}: {self.failure}", flush=True)
+
+    def there(self):
+        return self.run.complete() or self.failure is not None
+
+    def row(self, errors):
+        """The point as a line of points.csv: cells in place of particles."""
+        row = {"problem": self.problem["name"], "group": self.group, "spacing": self.cell, "changed": self.model}
+        row |= {key: "" for key in SHOWN}
+        if self.failure is not None:
+            return row | {"measure": "", "error": "", "further": "", "cpu [s]": "", "steps [-]": "", "particles [-]": "",
+                          "pairs [1e9]": "", "particle-steps per CPU s [1/s]": "", "failure": self.failure}
+        cpu, steps, cells = self.run.cpu_seconds(), self.run.summary("steps"), self.run.summary("cells")
+        measure = self.problem["measure"]
+        further = "; ".join(f"{name}={value:.4g}" for name, value in errors.items() if name != measure)
+        return row | {"measure": measure, "error": f"{errors[measure]:.5g}" if measure in errors else "", "further": further,
+                      "cpu [s]": f"{cpu:.3f}", "steps [-]": int(steps), "particles [-]": int(cells), "pairs [1e9]": "",
+                      "particle-steps per CPU s [1/s]": f"{steps * cells / max(cpu, 1e-3):.3g}", "failure": ""}
+
+
 class Matrix:
     """All points of the table, each run once however often the table names it."""
 
@@ -118,6 +157,7 @@ class Matrix:
         """The problem at its two coarsest spacings, the next as the reference where one is needed."""
         coarsest = problem["spacings"][:2]
         expected = {key: value for key, value in problem["expected"].items() if key != "error"}  # that is of another spacing
+        problem = {key: value for key, value in problem.items() if key != "mesh"}
         fewer = problem | {"spacings": coarsest, "base": coarsest[0], "product": [], "expected": expected,
                            "axes": ["numerics.smoothing_ratio", "numerics.cfl"]}
         return fewer | ({"finest": problem["spacings"][2]} if "finest" in problem else {})
@@ -156,6 +196,10 @@ class Matrix:
         keys = self.table["product"].keys()
         for spacing, *values in itertools.product(problem.get("product", []), *self.table["product"].values()):
             points.append(Point(self, problem, "product", spacing, changed(keys, values)))
+        for mesh in problem.get("mesh", []):
+            points += [MeshPoint(self, problem, mesh, cell) for cell in mesh["cells"]]
+            if "finest" in mesh:
+                points.append(MeshPoint(self, problem, mesh, mesh["finest"], "finest mesh"))
         once = {}
         for point in points:
             once.setdefault(point.run.name, point)
@@ -176,11 +220,18 @@ class Matrix:
             points = [point for point in self.points if point.problem is problem and point.there()]
             finest = next((point.run for point in points if point.group == "finest" and point.run.complete()), None)
             for point in points:
-                is_finest = finest is point.run
-                errors = {} if point.failure is not None else PROBLEMS[problem["name"]].errors(
-                    point.run, None if is_finest else finest)
-                rows.append(point.row(errors))
+                rows.append(point.row({} if point.failure is not None else self.errors(point, points, finest)))
         return rows
+
+
+    @staticmethod
+    def errors(point, points, finest):
+        name = point.problem["name"]
+        if isinstance(point, Point):
+            return PROBLEMS[name].errors(point.run, None if finest is point.run else finest)
+        finest_mesh = next((other.run for other in points if other.group == "finest mesh" and other.model == point.model
+                            and other.run.complete() and other is not point), None)
+        return ON_MESH[name].errors(point.run, finest_mesh, finest)
 
 
 def main():
@@ -216,7 +267,7 @@ def main():
     write_table(matrix.out / "points.csv", rows, made)
     drawn = [problem for problem in matrix.problems if measured(rows, problem)]
     for problem in drawn:
-        draw_problem(problem, rows, table.get("recorded", []), matrix.out)
+        draw_problem(problem, rows, matrix.out)
     if given.page:
         images = given.page.parent / "images"
         images.mkdir(parents=True, exist_ok=True)

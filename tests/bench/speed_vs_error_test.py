@@ -3,6 +3,7 @@
 Its references against closed forms, its norms on fields that are known, and one small problem from case to table and picture.
 """
 
+import array
 import csv
 import math
 import pathlib
@@ -15,7 +16,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "bench/speed_vs_error/speed_vs_error.py"
 sys.path[:0] = [str(ROOT / "bench"), str(SCRIPT.parent)]
 
+from on_mesh import ON_MESH
 from study import norms
+from study.mesh_run import MeshRun
 from problems import PROBLEMS
 from thalweg.particle_file import arrays, replace_arrays
 from study.runs import Run
@@ -59,6 +62,58 @@ class References(unittest.TestCase):
     def test_order_and_front(self):
         self.assertAlmostEqual(norms.order([4, 2, 1], [16e-3, 4e-3, 1e-3]), 2)
         self.assertEqual(norms.pareto_front([(3, 1), (1, 5), (2, 5), (2, 2), (4, 4)]), [(1, 5), (2, 2), (3, 1)])
+
+
+def write_field(file, kind, numbers):
+    """A field as OpenFOAM writes it in its binary format."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    count = len(numbers) // (3 if kind == "vector" else 1)
+    head = f"FoamFile {{ format binary; }}\ninternalField   nonuniform List<{kind}> \n{count}\n(".encode()
+    file.write_bytes(head + array.array("d", numbers).tobytes() + b")\n;\n")
+
+
+class OnMesh(unittest.TestCase):
+    """Measures of a mesh, on fields that are known: 8 cells of 12.5 mm, one above the other."""
+
+    def setUp(self):
+        self.run_there = MeshRun(thalweg, scratch / "on_mesh", None, "column", [], "12.5 mm", "stock")
+        shutil.rmtree(self.run_there.root, ignore_errors=True)
+        case = self.run_there.folder / "case"
+        self.heights = [0.0125 * (k + 0.5) for k in range(8)]
+        for name, numbers in (("Cx", [0.5] * 8), ("Cz", self.heights)):
+            write_field(case / "constant" / name, "scalar", numbers)
+        (case / "constant/Cy").write_bytes(b"internalField   uniform 0.25;\n")
+        (case / "40").mkdir()
+        (case / "40/alpha.air").write_bytes(b"internalField   uniform 0;\n")
+        self.fields = case / "40"
+
+    def test_centres_of_uniform_and_other_coordinates(self):
+        self.assertEqual(self.run_there.centres()[2], (0.5, 0.25, self.heights[2]))
+        self.assertEqual([time for time, _ in self.run_there.times()], [40])
+
+    def test_hydrostatic_water_at_rest_has_no_error(self):
+        write_field(self.fields / "p", "scalar", [9810 * (0.3 - z) for z in self.heights])
+        (self.fields / "U").write_bytes(b"internalField   uniform (0 0 0);\n")
+        errors = ON_MESH["still_tank"].errors(self.run_there)
+        self.assertAlmostEqual(errors["pressure"], 0)
+        self.assertEqual(errors["speed"], 0)
+        write_field(self.fields / "p", "scalar", [1.01 * 9810 * (0.3 - z) for z in self.heights])
+        self.assertAlmostEqual(ON_MESH["still_tank"].errors(self.run_there)["pressure"], 0.01)
+
+    def test_the_logarithmic_law_has_no_error(self):
+        law, mean = PROBLEMS["channel"].law()
+        self.assertAlmostEqual(mean, 0.7452, delta=2e-4)  # of the channel's expected.toml
+        (self.run_there.folder / "summary.csv").write_text("quantity,value,unit\ncell_size,0.0125,m\n", encoding="utf-8")
+        for factor in (1.0, 1.02):
+            write_field(self.fields / "U", "vector", [u for z in self.heights for u in (factor * law(z), 0.0, 0.0)])
+            rows = ON_MESH["channel"].errors(self.run_there)["rows"]
+            middle = norms.rms(law(z) for z in self.heights[1:-1])
+            self.assertAlmostEqual(rows, (factor - 1) * middle / mean, delta=1e-9)
+
+    def test_distances_of_profiles(self):
+        level = [{"x": 0.1 * i, "bed": 0.02} for i in range(5)]
+        ramp = [{"x": 0.05 * i, "bed": 0.02 + 0.003} for i in range(9)]
+        self.assertAlmostEqual(ON_MESH["louvain"].distance([(1, level)], [(1, ramp)], "bed"), 0.003)
 
 
 class OneProblem(unittest.TestCase):

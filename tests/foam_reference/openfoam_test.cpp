@@ -70,6 +70,26 @@ TEST_F(OpenFoamTest, FillsCellsCutInHalvesOnce) {
   EXPECT_NEAR(summary("water_volume_start"), 0.4 * 0.04, 1e-9);
 }
 
+// Water at rest, 0.1 m deep: g z under its surface, and a level that stays.
+TEST_F(OpenFoamTest, RecordsGauges) {
+  Case scene = water_tank();
+  Gauge pressure;
+  pressure.name = "floor";
+  pressure.kind = GaugeKind::pressure;
+  pressure.at = Vec3(0.4, 0, 0.02);  // on the wall
+  Gauge level;
+  level.name = "pool";
+  level.at = Vec3(0.2, 0, 0);
+  scene.gauges = {pressure, level};
+  scene.output.gauge_interval = 0.01;
+  run(scene);
+  const CsvTable table = CsvTable::read(folder_.path() / "gauges.csv");
+  ASSERT_GE(table.numbers("time", "s").size(), 8U);
+  EXPECT_NEAR(table.numbers("floor.pressure", "Pa").back(), 1000 * 9.81 * 0.08,
+              10);  // the surface's cell is 10 mm high
+  EXPECT_NEAR(table.numbers("pool.level", "m").back(), 0.1, 1e-4);
+}
+
 // A disc of 16 cells' diameter takes exactly the cells whose centres it holds.
 TEST_F(OpenFoamTest, FillsDiscsAndCombinations) {
   Case scene = at_start(water_tank());

@@ -35,7 +35,7 @@ ALLOWED = {
     "solver interface": {"case", "common", "solver", "solver/state"},
     "solver/program": {"case", "common", "common/io", "common/extraction", "solver interface", "solver/state"},
     "postproc": {"case", "common", "common/app/scour", "common/io", "common/extraction", "physics"},
-    "foam_reference": {"case", "common", "common/io", "physics", "foam_reference/library"},
+    "foam_reference": {"case", "common", "common/io", "common/extraction", "physics", "foam_reference/library"},
     "foam_reference/library": {"physics"},  # compiled by wmake against OpenFOAM
 }
 SOLVER_INTERFACE = {"solver/simulation/simulation.hpp", "solver/simulation/start.hpp"}
