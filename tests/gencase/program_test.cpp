@@ -157,6 +157,15 @@ TEST_F(Program, ThePiersFileIsWhatItsScriptMakes) {
   EXPECT_EQ(read(folder_ / "pier.stl"), read(fs::path(CASES) / "pier" / "pier.stl"));
 }
 
+TEST_F(Program, EverySceneOfTheMeasurementsIsSound) {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator(CASES "/../bench/speed_vs_error/scenes")) {
+    ++scenes;
+    EXPECT_EQ(run("'" + entry.path().string() + "' --check"), 0) << entry.path() << ": " << complained_;
+  }
+  EXPECT_GE(scenes, 5);
+}
+
 TEST_F(Program, EveryCaseOfTheProjectIsSound) {
   int cases = 0;
   for (const auto& entry : fs::directory_iterator(CASES)) {
