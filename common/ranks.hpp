@@ -78,11 +78,31 @@ inline std::vector<Bytes> exchange_any(Ranks& ranks, const std::vector<Bytes>& t
   return from;
 }
 
+/// Bytes from one rank to another, of which all know; empty on the others.
+inline Bytes send(Ranks& ranks, const Bytes& mine, int from, int to) {
+  const auto n = static_cast<std::size_t>(ranks.size());
+  const bool sends = ranks.rank() == from;
+  const auto size = gather_from(ranks, std::uint64_t{sends ? mine.size() : 0})[static_cast<std::size_t>(from)];
+  Bytes received(ranks.rank() == to ? size : 0);
+  std::vector<std::span<const std::byte>> out(n);
+  std::vector<std::span<std::byte>> in(n);
+  if (sends) out[static_cast<std::size_t>(to)] = mine;
+  if (ranks.rank() == to) in[static_cast<std::size_t>(from)] = received;
+  ranks.exchange(out, in);
+  return received;
+}
+
 /// The bytes of one rank to all.
 inline Bytes broadcast(Ranks& ranks, const Bytes& mine, int root = 0) {
   const auto n = static_cast<std::size_t>(ranks.size());
-  return exchange_any(ranks,
-                      std::vector<Bytes>(n, ranks.rank() == root ? mine : Bytes()))[static_cast<std::size_t>(root)];
+  const bool sends = ranks.rank() == root;
+  Bytes received(gather_from(ranks, std::uint64_t{sends ? mine.size() : 0})[static_cast<std::size_t>(root)]);
+  std::vector<std::span<std::byte>> in(n);
+  in[static_cast<std::size_t>(root)] = received;
+  ranks.exchange(std::vector<std::span<const std::byte>>(
+                     n, sends ? std::span<const std::byte>(mine) : std::span<const std::byte>()),
+                 in);
+  return received;
 }
 
 /// Adds n numbers to the end of a message.

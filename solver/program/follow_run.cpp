@@ -37,8 +37,7 @@ Exit follow_run(const RunOptions& options) {
   if (gather_from(ranks, 0).front() == 0) return Exit::done;
   std::unique_ptr<Simulation> share;
   try {
-    const RunStart from = read_run(options);
-    share = start_simulation(from.scene, from.particles, start_options(options));
+    share = start_simulation(read_scene(options), {}, start_options(options));
   } catch (const InputError&) {
     return Exit::done;  // which the first rank meets, too, and tells
   } catch (const std::exception& error) {

@@ -21,17 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* latest = "latest";
 
-Case read_resolved_case(const RunOptions& options) {
-  Case c = read_case(RunFolder{options.folder}.resolved_case(), options.overrides);
-  if (options.until.empty()) return c;
-  try {
-    c.output.end = parse_quantity(options.until, "s");
-  } catch (const std::invalid_argument& e) {
-    throw InputError("--until " + options.until + ": " + e.what());
-  }
-  return c;
-}
-
 /// A checkpoint and the file it stands in.
 struct Found {
   fs::path file;
@@ -75,8 +64,19 @@ void require_filled(const RunFolder& run) {
                                run.resolved_case().string(), run.root.string()));
 }
 
+Case read_scene(const RunOptions& options) {
+  Case c = read_case(RunFolder{options.folder}.resolved_case(), options.overrides);
+  if (options.until.empty()) return c;
+  try {
+    c.output.end = parse_quantity(options.until, "s");
+  } catch (const std::invalid_argument& e) {
+    throw InputError("--until " + options.until + ": " + e.what());
+  }
+  return c;
+}
+
 RunStart read_run(const RunOptions& options) {
-  RunStart start{read_resolved_case(options), {}};
+  RunStart start{read_scene(options), {}};
   if (std::optional<Found> found = find_checkpoint(options)) {
     if (options.benchmark == 0) {
       check_restart(found->file, found->checkpoint, start.scene, options.restart_anyway);

@@ -19,6 +19,9 @@ struct RunStart {
 /// Throws InputError if gencase has not filled the folder.
 void require_filled(const RunFolder& run);
 
+/// The case of a run as gencase has resolved it, with what the options change. Throws InputError.
+Case read_scene(const RunOptions& options);
+
 /// Reads the case and the particles of a run. Throws InputError for what cannot be a start (start_check.hpp), and for a
 /// checkpoint of another case (restart_check.hpp). In a benchmark, which keeps no results, any case may go on from a
 /// checkpoint.

@@ -17,7 +17,8 @@ thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::Simul
                      (device.threads == 1 ? " thread" : " threads") +
                      (sizeof(Number) == sizeof(double) ? ", pair sums in double" : "");
   return new thalweg::SimulationOn<Dim, Device>(device, std::move(name), scene, *input.particles, input.profile,
-                                                input.motions, input.openings, input.surface_bed, input.ranks);
+                                                input.motions, input.openings, input.surface_bed, input.ranks,
+                                                input.first_block);
 }
 
 }  // namespace

@@ -138,6 +138,7 @@ GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles, int ra
 
   const Counts n = count(scene, particles);
   GpuMemory memory;
+  memory.particles = n.all;
   memory.entries = entries_of(scene, particles);
   // The beginnings of the lists, and the nine lists of clusters, which have room for all.
   const double clusters = n.all / cluster_size;
@@ -174,20 +175,19 @@ GpuMemory estimate_gpu_memory(const AnyScene& scene, const ParticleSet& particle
   return std::visit([&](const auto& of) { return estimate(of, particles, ranks); }, scene);
 }
 
-void require_gpu_memory(const AnyScene& scene, const ParticleSet& particles, double available, int ranks) {
-  const GpuMemory memory = estimate_gpu_memory(scene, particles, ranks);
+void require_gpu_memory(const AnyScene& scene, const GpuMemory& memory, double available, int ranks) {
   const auto [spacing, dimension] = std::visit(
       [](const auto& of) {
         return std::pair{of.spacing, std::is_same_v<std::decay_t<decltype(of)>, Scene<3>> ? 3 : 2};
       },
       scene);
-  const auto number = static_cast<double>(particles.size());
   if (memory.needed > available) {
-    throw InputError(fmt::format(
-        "--backend cuda: {:.3g} particles need {} on {}, which has {} free; fill the scene with a spacing "
-        "of {} or more (numerics.spacing), or use --backend openmp",
-        number, format_bytes(memory.needed), ranks > 1 ? "each rank's GPU" : "the GPU", format_bytes(available),
-        format_quantity(spacing_that_fits(spacing, memory.needed, available, dimension), "m")));
+    throw InputError(
+        fmt::format("--backend cuda: {:.3g} particles need {} on {}, which has {} free; fill the scene with a spacing "
+                    "of {} or more (numerics.spacing), or use --backend openmp",
+                    memory.particles, format_bytes(memory.needed), ranks > 1 ? "each rank's GPU" : "the GPU",
+                    format_bytes(available),
+                    format_quantity(spacing_that_fits(spacing, memory.needed, available, dimension), "m")));
   }
   const auto most = static_cast<double>(most_list_entries);
   if (memory.entries > most) {
@@ -195,7 +195,7 @@ void require_gpu_memory(const AnyScene& scene, const ParticleSet& particles, dou
         fmt::format("--backend cuda: {:.3g} particles have {:.3g} entries in their neighbour lists, which can hold "
                     "{:.3g}; fill the "
                     "scene with a spacing of {} or more (numerics.spacing)",
-                    number, memory.entries, most,
+                    memory.particles, memory.entries, most,
                     format_quantity(spacing_that_fits(spacing, memory.entries, most, dimension), "m")));
   }
 }

@@ -10,7 +10,6 @@
 #include "solver/backend/buffer.hpp"
 #include "solver/lists/rebuild.hpp"
 #include "solver/simulation/checkpoint.hpp"
-#include "solver/simulation/file_share.hpp"
 
 // From files to the device: particles as gencase leaves them, or a checkpoint.
 namespace thalweg {
@@ -32,16 +31,6 @@ float kind_of(const Scene<Dim>& scene, const ParticleSet& from, std::size_t i) {
   const float known = kinds == from.scalars.end() ? kind::deposit : kinds->second[i];
   if (known == kind::resting) return scene.may_rest ? known : kind::deposit;
   return scene.has_states ? known : kind::deposit;  // a state that no model keeps would be read out of bounds
-}
-
-/// The particles of a file that this rank begins with, one of several or alone.
-template <int Dim>
-FileShare share_of(Ranks* ranks, const Scene<Dim>& scene, const ParticleSet& from) {
-  if (ranks == nullptr) return FileShare(from);
-  if (!from.doubles.contains(checkpoint_array::listed_at)) return {from, even_ranges(*ranks, from.size())};
-  std::size_t fluid = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) fluid += kind_of(scene, from, i) == kind::wall ? 0 : 1;
-  return {from, ranges_in_order(*ranks, from.size(), fluid)};
 }
 
 /// A particle as it starts or goes on; walls have the volume of a spacing.

@@ -75,22 +75,29 @@ class Module {
   void* handle_ = nullptr;
 };
 
+/// Of the GPU of this process, or of each rank's.
+GpuMemory memory_of(const SimulationInput& input) {
+  if (input.gpu_memory) return *input.gpu_memory;
+  return estimate_gpu_memory(input.scene, *input.particles, input.ranks == nullptr ? 1 : input.ranks->size());
+}
+
 /// True if the pair coefficients of the viscous solve are to be stored: where there is room, or as the environment says,
 /// for measurements.
-bool stores_coefficients(const SimulationInput& input, double available, int ranks = 1) {
+bool stores_coefficients(const GpuMemory& memory, double available) {
   const char* asked = getenv("THALWEG_PAIR_COEFFICIENTS");
   const std::string word = asked == nullptr ? "" : asked;
   if (word == "stored" || word == "computed") return word == "stored";
   if (!word.empty()) throw InputError("THALWEG_PAIR_COEFFICIENTS=" + word + ": write stored or computed, or unset it");
-  return coefficients_fit(estimate_gpu_memory(input.scene, *input.particles, ranks), available);
+  return coefficients_fit(memory, available);
 }
 
 /// On the GPU with the core that was loaded for it.
 std::unique_ptr<Simulation> make_with(const Module& core, const SimulationInput& input) {
   const double available = core.function<DeviceMemory>("thalweg_device_memory")();
-  require_gpu_memory(input.scene, *input.particles, available);
+  const GpuMemory memory = memory_of(input);
+  require_gpu_memory(input.scene, memory, available);
   SimulationInput on_gpu = input;
-  on_gpu.stores_coefficients = stores_coefficients(input, available);
+  on_gpu.stores_coefficients = stores_coefficients(memory, available);
   return core.make(on_gpu);
 }
 
@@ -121,8 +128,9 @@ GpuOfRank find_gpu_of_rank(const SimulationInput& input) {
     gpu.is_found = true;
     const int share = (ranks.on_this_machine() + devices - 1) / devices;
     const double available = gpu.core->function<DeviceMemory>("thalweg_device_memory")() / share;
-    require_gpu_memory(input.scene, *input.particles, available, ranks.size());
-    gpu.has_room = stores_coefficients(input, available, ranks.size());
+    const GpuMemory memory = memory_of(input);
+    require_gpu_memory(input.scene, memory, available, ranks.size());
+    gpu.has_room = stores_coefficients(memory, available);
   } catch (const std::runtime_error& e) {
     gpu.problem = e.what();
   }

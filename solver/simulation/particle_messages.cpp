@@ -68,18 +68,21 @@ void join(const std::vector<ParticleSet>& of_ranks, const Of& of, std::vector<T>
 
 }  // namespace
 
-Bytes to_message(const ParticleSet& set) {
-  Bytes message;
+void append_to(Bytes& message, const ParticleSet& set) {
   for_each_array(set, [&](const char*, const auto& array) { append_array(message, array); });
   append_array(message, set.position);
   append_map(message, set.scalars);
   append_map(message, set.doubles);
   append_map(message, set.facts);
+}
+
+Bytes to_message(const ParticleSet& set) {
+  Bytes message;
+  append_to(message, set);
   return message;
 }
 
-ParticleSet from_message(const Bytes& bytes) {
-  MessageReader message(bytes);
+ParticleSet particles_in(MessageReader& message) {
   ParticleSet set;
   for_each_array(set, [&](const char*, auto& array) { read_array(message, array); });
   read_array(message, set.position);
@@ -87,6 +90,11 @@ ParticleSet from_message(const Bytes& bytes) {
   read_map(message, set.doubles);
   read_map(message, set.facts);
   return set;
+}
+
+ParticleSet from_message(const Bytes& bytes) {
+  MessageReader message(bytes);
+  return particles_in(message);
 }
 
 ParticleSet join_sets(const std::vector<ParticleSet>& of_ranks) {

@@ -8,6 +8,8 @@
 namespace thalweg {
 
 /// A particle set as bytes, without ParticleSet::info, and back.
+void append_to(Bytes& message, const ParticleSet& set);
+ParticleSet particles_in(MessageReader& message);
 Bytes to_message(const ParticleSet& set);
 ParticleSet from_message(const Bytes& message);
 

@@ -26,10 +26,13 @@ namespace thalweg {
 template <int Dim, Device OnDevice>
 class SimulationOn final : public Simulation {
  public:
+  /// On several ranks `from` are the particles that this one begins with, and `first_block` is the block of sums in which
+  /// they do (deal.hpp).
   SimulationOn(OnDevice device, std::string name, const Scene<Dim>& scene, const ParticleSet& from,
                bool profile = false, const std::vector<WallMotion>& motions = {},
                const std::shared_ptr<Openings>& openings = nullptr,
-               const std::shared_ptr<SurfaceBed>& surface_bed = nullptr, Ranks* ranks = nullptr);
+               const std::shared_ptr<SurfaceBed>& surface_bed = nullptr, Ranks* ranks = nullptr,
+               std::int64_t first_block = 0);
 
   void set_time(double time) override { work_.time = time; }
   StepReport advance(double longest) override;
@@ -72,29 +75,28 @@ template <int Dim, Device OnDevice>
 SimulationOn<Dim, OnDevice>::SimulationOn(OnDevice device, std::string name, const Scene<Dim>& scene,
                                           const ParticleSet& from, bool profile, const std::vector<WallMotion>& motions,
                                           const std::shared_ptr<Openings>& openings,
-                                          const std::shared_ptr<SurfaceBed>& surface_bed, Ranks* ranks)
+                                          const std::shared_ptr<SurfaceBed>& surface_bed, Ranks* ranks,
+                                          std::int64_t first_block)
     : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
   if (ranks != nullptr) share_ = std::make_unique<Share<Dim, OnDevice>>(*ranks);
   on_.shared = share_.get();
   if (profile) timing_.wait_with([this] { on_.finish(); });
-  const FileShare file = share_of(ranks, scene_, from);
-  const ParticleSet& mine = file.mine();
-  if (share_ != nullptr) share_->first_block = file.first_block();
-  load_particles(on_, p_, scene_, mine);
+  if (share_ != nullptr) share_->first_block = first_block;
+  load_particles(on_, p_, scene_, from);
   work_.motions = motions;
   work_.time = from.info.time;
   work_.number = from.info.step;
   work_.population = Population::of(from);
-  if (scene_.has_moving_walls) load_motions(on_, p_, motions, mine);
-  if (scene_.suspended_load.on) load_grains(on_, p_, scene_, work_, mine);
-  if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, file);
-  if (scene_.surface_bed.on) load_surface_bed(on_, p_, scene_, work_, surface_bed, mine);
+  if (scene_.has_moving_walls) load_motions(on_, p_, motions, from);
+  if (scene_.suspended_load.on) load_grains(on_, p_, scene_, work_, from);
+  if (scene_.wall_stress.on) load_wall_elements(on_, p_, scene_, from);
+  if (scene_.surface_bed.on) load_surface_bed(on_, p_, scene_, work_, surface_bed, from);
   if (scene_.mixing_length) bring_eddy_viscosity(on_, p_, scene_);
-  if (scene_.may_rest) load_rest(work_, mine);
-  if (scene_.current.on) load_control(on_, work_, scene_, mine);
-  if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, mine);
-  const auto listed = mine.doubles.find(checkpoint_array::listed_at);
-  fluid_stands_first_ = listed != mine.doubles.end();
+  if (scene_.may_rest) load_rest(work_, from);
+  if (scene_.current.on) load_control(on_, work_, scene_, from);
+  if (scene_.has_openings) load_openings(on_, p_, scene_, work_, openings, from);
+  const auto listed = from.doubles.find(checkpoint_array::listed_at);
+  fluid_stands_first_ = listed != from.doubles.end();
   if (fluid_stands_first_) restore_lists(on_, p_, scene_, listed->second);
   if (share_ == nullptr) return;
   share_->set_beside([this](const Field& field) -> PackedQuad* {

@@ -1,12 +1,14 @@
 #include "solver/simulation/start.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "case/models/surface_bed.hpp"
 #include "solver/models/moving_walls/make_motions.hpp"
 #include "solver/models/openings/make_openings.hpp"
 #include "solver/models/surface_bed/make_surface_bed.hpp"
+#include "solver/simulation/deal_out.hpp"
 #include "solver/simulation/make_scene.hpp"
 
 namespace thalweg {
@@ -14,19 +16,31 @@ namespace thalweg {
 std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles,
                                              const StartOptions& options) {
   SimulationInput input;
+  RankStart share;
   ParticleSet laid;
+  std::optional<Vec3> lattice_node = particles.info.lattice_node;
   input.particles = &particles;
-  if (models::SurfaceBedOfCase::is_on(of)) {
+  if (options.ranks != nullptr && options.ranks->size() > 1) {
+    share = deal_out(of, particles, *options.ranks, options.backend != "openmp");
+    input.particles = &share.particles;
+    input.scene = share.scene;
+    input.surface_bed = share.surface_bed;
+    input.first_block = share.first_block;
+    input.gpu_memory = share.gpu_memory;
+    lattice_node = share.particles.info.lattice_node;
+  } else if (models::SurfaceBedOfCase::is_on(of)) {
     laid = particles;
     input.surface_bed = make_surface_bed(of, laid);
     input.particles = &laid;
+    input.scene = make_scene(of, laid);
+  } else {
+    input.scene = make_scene(of, particles);
   }
-  input.scene = make_scene(of, *input.particles);
   input.threads = options.threads;
   input.profile = options.profile;
   input.ranks = options.ranks;
   input.motions = make_motions(of);
-  input.openings = make_openings(of, particles.info.lattice_node);
+  input.openings = make_openings(of, lattice_node);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;
   if (options.ranks != nullptr) {
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());

@@ -18,8 +18,9 @@ struct StartOptions {
   Ranks* ranks = nullptr;                // that compute the scene together, each calling this; nullptr: one
 };
 
-/// Starts a case from the particles of gencase, or goes on from those of a checkpoint. Throws InputError for what the
-/// solver cannot run (make_scene.hpp) and for a device that cannot be used (input.hpp).
+/// Starts a case from the particles of gencase, or goes on from those of a checkpoint. On several ranks the first one has
+/// them and deals them out; the others pass an empty set. Throws InputError for what the solver cannot run
+/// (make_scene.hpp) and for a device that cannot be used (input.hpp), on all ranks.
 std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles, const StartOptions& options);
 
 /// A simulation whose particles lie on several ranks: the first rank leads, and what it asks of its simulation the others

@@ -34,12 +34,12 @@ struct WallStressModel {
   }
 };
 
-/// Brings the elements to the device: those of a checkpoint, or found anew, among all particles of the file, for those that
-/// this rank begins with.
-template <int Dim, class Device, class File>
-void load_wall_elements(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const File& file) {
-  if (!file.all().doubles.contains(field::wall_element.name)) {
-    on.upload(file.mine_of(WallElementFinder<Dim>(scene, file.all()).find()), p.wall_element);
+/// Brings the elements to the device: those that come with the particles (of a checkpoint, or dealt out to a rank), or
+/// found anew.
+template <int Dim, class Device>
+void load_wall_elements(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const ParticleSet& from) {
+  if (!from.doubles.contains(field::wall_element.name)) {
+    on.upload(WallElementFinder<Dim>(scene, from).find(), p.wall_element);
   }
   if (!scene.has_moving_walls) return;
   const WallElement* elements = p.wall_element.data();

@@ -127,7 +127,7 @@ TEST(DeclaredFieldsTest, EveryBodyOfAStepTouchesWhatItDeclares) {
     load_particles(on, p, scene, s.particles);
     work.motions = s.motions;
     if (scene.has_moving_walls) load_motions(on, p, s.motions, s.particles);
-    if (scene.wall_stress.on) load_wall_elements(on, p, scene, FileShare(s.particles));
+    if (scene.wall_stress.on) load_wall_elements(on, p, scene, s.particles);
     if (scene.surface_bed.on) load_surface_bed(on, p, scene, work, s.surface_bed(s.particles), s.particles);
     if (scene.has_openings) load_openings(on, p, scene, work, s.openings(), s.particles);
     if (scene.current.on) load_control(on, work, scene, s.particles);

@@ -6,6 +6,7 @@
 #include "common/error.hpp"
 #include "gencase/generate.hpp"
 #include "solver/backend/list_limit.hpp"
+#include "solver/simulation/deal.hpp"
 #include "solver/simulation/make_scene.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/thread_ranks.hpp"
@@ -28,9 +29,10 @@ Filled fill(const std::string& name, const std::vector<std::string>& settings) {
 }
 
 template <int Dim>
-void make_lists_twice(const Scene<Dim>& scene, const ParticleSet& particles, Ranks* ranks) {
+void make_lists_twice(const Scene<Dim>& scene, const ParticleSet& particles, Ranks* ranks,
+                      std::int64_t first_block = 0) {
   SimulationOn<Dim, test::Guarded> simulation(test::Guarded{}, "guarded", scene, particles, false, {}, nullptr, nullptr,
-                                              ranks);
+                                              ranks, first_block);
   simulation.advance(1);
   const auto snapshot = simulation.begin_snapshot();
   for (int n = 0; n < 20 && simulation.facts().list_rebuilds < 2; ++n) simulation.advance(1);
@@ -44,9 +46,13 @@ double peak_of(const Filled& of, int ranks = 1) {
   peak = test::GuardedRuntime::in_use();
   const auto before = double(peak);
   std::visit(
-      [&](const auto& scene) {
+      [&]<int Dim>(const Scene<Dim>& scene) {
         if (ranks == 1) return make_lists_twice(scene, of.particles, nullptr);
-        test::ThreadRanks(ranks).run([&](Ranks& mine) { make_lists_twice(scene, of.particles, &mine); });
+        const Deal<Dim> deal(scene, of.particles, ranks);
+        test::ThreadRanks(ranks).run([&](Ranks& mine) {
+          const DealtShare share = deal.share(mine.rank());
+          make_lists_twice(scene, share.particles, &mine, share.first_block);
+        });
       },
       of.scene);
   return (double(peak) - before) / ranks;
@@ -86,9 +92,9 @@ TEST(GpuMemory, OfTwoGpusIsHalfAsMuchOnEach) {
 TEST(GpuMemory, IsRefusedWithTheSpacingThatFits) {
   const Filled of = fill("still_water", {R"(numerics.spacing="10 mm")", "compare.times=[]"});
   const GpuMemory memory = estimate_gpu_memory(of.scene, of.particles);
-  EXPECT_NO_THROW(require_gpu_memory(of.scene, of.particles, memory.needed));
+  EXPECT_NO_THROW(require_gpu_memory(of.scene, memory, memory.needed));
   try {
-    require_gpu_memory(of.scene, of.particles, memory.needed / 4);
+    require_gpu_memory(of.scene, memory, memory.needed / 4);
     FAIL() << "a quarter of the memory is not enough";
   } catch (const InputError& e) {
     const std::string message = e.what();

@@ -1,3 +1,4 @@
+#include "common/error.hpp"
 #include "tests/solver/simulation/scenes_on_ranks.hpp"
 
 // A scene on several ranks gives the same particles and totals as on one, bit for bit.
@@ -62,6 +63,26 @@ INSTANTIATE_TEST_SUITE_P(
                  540},
         Scenario{"SurfaceBed", "pipeline_hours", {"surface_bed.spin_up=2 ms", "surface_bed.window=5 ms"}, 60}),
     [](const auto& scenario) { return std::string(scenario.param.name); });
+
+// The others wait for the first one's word, which is the reason, or that there is one.
+TEST(StartOnRanks, OfASceneThatCannotRunIsRefusedOnAllRanks) {
+  CaseRun run("refused_ranks");
+  run.fill("dam_break", {"numerics.spacing=20 mm"});
+  Case scene = run.scene();
+  scene.numerics.maximum_speed = 0;
+  ThreadRanks(3).run([&](Ranks& mine) {
+    StartOptions options{"openmp", "auto", 1};
+    options.ranks = &mine;
+    const ParticleSet nothing;
+    try {
+      start_simulation(scene, mine.rank() == 0 ? run.start() : nothing, options);
+      ADD_FAILURE() << "rank " << mine.rank() << " has begun";
+    } catch (const InputError& error) {
+      const bool gives_the_reason = std::string(error.what()).find("maximum_speed") != std::string::npos;
+      EXPECT_EQ(gives_the_reason, mine.rank() == 0) << error.what();
+    }
+  });
+}
 
 // Within 1600 steps grains of the bed go to water over it that another rank has. At step 800, where the restart begins,
 // particles are due to become bed.

@@ -63,7 +63,8 @@ inline Outcome run_on(int ranks, const std::string& backend, const Case& of, con
   ThreadRanks(ranks).run([&](Ranks& mine) {
     StartOptions shared{backend, "auto", 1};
     shared.ranks = &mine;
-    std::unique_ptr<Simulation> share = start_simulation(of, start, shared);
+    const ParticleSet nothing;  // the first rank alone has read the file
+    std::unique_ptr<Simulation> share = start_simulation(of, mine.rank() == 0 ? start : nothing, shared);
     if (mine.rank() == 0) {
       outcome = outcome_of(*lead(std::move(share), mine), start.info, steps);
     } else {
