@@ -25,6 +25,10 @@ MeasureSettings settings_of(const Case& resolved, const std::vector<ProfileLine>
   settings.profile.z_to = resolved.domain.to.z();
   if (resolved.info.dimension == 3) {
     settings.profile.plane_y = (resolved.domain.from.y() + resolved.domain.to.y()) / 2;
+    if (resolved.domain.is_periodic(1)) {
+      settings.profile.y_from = resolved.domain.from.y();
+      settings.profile.y_to = resolved.domain.to.y();
+    }
   }
   settings.profile.rest_speed = rest_speed_of(resolved);
   return settings;

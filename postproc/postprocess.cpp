@@ -119,7 +119,7 @@ bool make_report(ReportInput& input, bool in_space) {
 
 /// The bed of the last snapshot as a survey, from which another case fills its bed.
 void write_last_bed(const ReportInput& input, const fs::path& file) {
-  const BedMap map = make_survey_map(input.resolved, input.run, input.extraction);
+  const BedMap map = make_run_bed_map(input.resolved, input.run, input.extraction).map;
   if (!map.has_bed()) throw InputError(input.run.root.string() + ": has no bed; leave --bed-survey out");
   write_bed_survey(file, map, input.resolved.domain.from, input.resolved.domain.to);
   say(fmt::format("the bed at t = {:g} s: {}", map.time, file.string()));

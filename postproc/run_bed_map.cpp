@@ -39,37 +39,7 @@ BedMap contoured_map(const Case& resolved, const ExtractionRun& extraction, cons
   return map_of_levels(before, now);
 }
 
-/// Number of the place, of `count` in a direction of the domain, whose height stands for that of place n.
-std::size_t place_clear_of_sides(std::size_t n, std::size_t count, double first, double step, double from, double to,
-                                 double reach) {
-  const double at = first + step * static_cast<double>(n);
-  if (to - from < 2 * reach || (at >= from + reach && at <= to - reach)) return n;
-  const double clear = std::round((std::clamp(at, from + reach, to - reach) - first) / step);
-  return static_cast<std::size_t>(std::clamp(clear, 0.0, static_cast<double>(count - 1)));
-}
-
 }  // namespace
-
-BedMap make_survey_map(const Case& resolved, const RunFolder& run, const ExtractionRun& extraction) {
-  BedMap map = make_run_bed_map(resolved, run, extraction).map;
-  if (map.in_columns || resolved.domain.periodic.empty()) return map;
-  const bool round_x = resolved.domain.is_periodic(0);
-  const bool round_y = resolved.domain.is_periodic(1);
-  const Vec3& from = resolved.domain.from;
-  const Vec3& to = resolved.domain.to;
-  const double reach = 2 * resolved.smoothing_length();
-  const BedMap found = map;
-  for (std::size_t i = 0; i < map.nx; ++i) {
-    for (std::size_t j = 0; j < map.ny; ++j) {
-      const std::size_t x = round_x ? place_clear_of_sides(i, map.nx, map.x0, map.step, from.x(), to.x(), reach) : i;
-      const std::size_t y =
-          round_y && map.ny > 1 ? place_clear_of_sides(j, map.ny, map.y0, map.step, from.y(), to.y(), reach) : j;
-      map.now[map.index(i, j)] = found.now[map.index(x, y)];
-      map.ground[map.index(i, j)] = found.ground[map.index(x, y)];
-    }
-  }
-  return map;
-}
 
 RunBedMap make_run_bed_map(const Case& resolved, const RunFolder& run, const ExtractionRun& extraction) {
   RunBedMap found;

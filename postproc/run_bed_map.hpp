@@ -17,8 +17,4 @@ struct RunBedMap {
 /// left its results. Throws InputError if a snapshot cannot be read.
 RunBedMap make_run_bed_map(const Case& resolved, const RunFolder& run, const ExtractionRun& extraction);
 
-/// The map for a survey of the last bed. Next to a periodic side the contour of a bed of particles dips, because those
-/// beyond the side are not there; the nearest heights out of the kernel's reach go on up to the side.
-BedMap make_survey_map(const Case& resolved, const RunFolder& run, const ExtractionRun& extraction);
-
 }  // namespace thalweg

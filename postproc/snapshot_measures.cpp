@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
+#include "common/extraction/periodic_images.hpp"
 #include "postproc/line_profile.hpp"
 
 namespace thalweg {
@@ -23,6 +25,12 @@ Profile rounded(Profile profile, double spacing) {
   return profile;
 }
 
+/// The particles and, where the domain repeats itself, the copies beside its ends.
+std::optional<ParticleSet> repeated(const ParticleSet& particles, const MeasureSettings& settings) {
+  const double reach = 2 * particles.info.smoothing_length + 2 * particles.info.spacing;
+  return with_periodic_images(particles, settings.resolved.domain, reach);
+}
+
 CellList cells_of(const ParticleSet& particles) {
   const double edge = cell_edge(particles.info);
   return {particles.position, edge > 0 ? edge : 1};
@@ -30,14 +38,18 @@ CellList cells_of(const ParticleSet& particles) {
 
 }  // namespace
 
-LevelMap levels_of(const ParticleSet& particles, const MeasureSettings& settings) {
+LevelMap levels_of(const ParticleSet& of_file, const MeasureSettings& settings) {
+  const std::optional<ParticleSet> all = repeated(of_file, settings);
+  const ParticleSet& particles = all ? *all : of_file;
   const ClassifiedParticles set(particles, settings.profile.rest_speed);
   const auto field = make_surface_field(set, cells_of(particles), settings.profile);
   return field ? level_map(*field) : LevelMap{};
 }
 
-SnapshotResults measure(const ParticleSet& particles, double time, const MeasureSettings& settings,
+SnapshotResults measure(const ParticleSet& of_file, double time, const MeasureSettings& settings,
                         const LevelMap* initial) {
+  const std::optional<ParticleSet> all = repeated(of_file, settings);
+  const ParticleSet& particles = all ? *all : of_file;
   const ClassifiedParticles set(particles, settings.profile.rest_speed);
   const double spacing = particles.info.spacing;
   SnapshotResults results;

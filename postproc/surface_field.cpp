@@ -20,8 +20,8 @@ std::optional<SamplingGrid> grid_around_fluid(const ParticleSet& particles, cons
     high = high.cwiseMax(particles.position[i]);
   }
   const Vec3 reach = Vec3::Constant(2 * particles.info.smoothing_length + particles.info.spacing);
-  low = (low - reach).cwiseMax(Vec3(settings.x_from, -infinite, settings.z_from));
-  high = (high + reach).cwiseMin(Vec3(settings.x_to, infinite, settings.z_to));
+  low = (low - reach).cwiseMax(Vec3(settings.x_from, settings.y_from, settings.z_from));
+  high = (high + reach).cwiseMin(Vec3(settings.x_to, settings.y_to, settings.z_to));
   if (!((high - low).minCoeff() > 0)) return std::nullopt;
   if (particles.info.dimension == 3) return make_volume_grid(particles.info.spacing, low, high);
   return make_slice_grid(particles.info.spacing / 2, low.x(), high.x(), low.z(), high.z(), 0);

@@ -14,6 +14,8 @@ namespace thalweg {
 struct ExtractionSettings {
   double x_from = -std::numeric_limits<double>::infinity();  // [m] narrowed to where the walls leave room for a flow
   double x_to = std::numeric_limits<double>::infinity();     // [m]
+  double y_from = -std::numeric_limits<double>::infinity();  // [m] 3-D: of surfaces, which are looked for over an area
+  double y_to = std::numeric_limits<double>::infinity();     // [m]
   double z_from = -std::numeric_limits<double>::infinity();  // [m] nothing outside is looked at
   double z_to = std::numeric_limits<double>::infinity();     // [m]
   double plane_y = 0;                                        // [m] 3-D: the plane of the profile
