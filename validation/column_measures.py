@@ -1,5 +1,7 @@
 """Measures of the tables that solver and postproc write."""
 
+import math
+
 from study.norms import slope
 from validation.keys import Key
 from validation.library import measure
@@ -38,6 +40,30 @@ def trend(series):
     return slope([time for time, _ in series], [value for _, value in series])
 
 
+def running_mean(series, over):
+    """Each sample replaced by the mean over so long [s] around it, less where the series ends."""
+    means, first, behind, total = [], 0, 0, 0.0
+    for time, _ in series:
+        while behind < len(series) and series[behind][0] <= time + over / 2 + 1e-12:
+            total += series[behind][1]
+            behind += 1
+        while series[first][0] < time - over / 2 - 1e-12:
+            total -= series[first][1]
+            first += 1
+        means.append((time, total / (behind - first)))
+    return means
+
+
+def noise(series, over):
+    smooth = running_mean(series, over)
+    return math.sqrt(mean([(time, (value - level) ** 2) for (time, value), (_, level) in zip(series, smooth)]))
+
+
+def arrival(series, above):
+    """Time [s] of the first larger value; infinite without one."""
+    return next((time for time, value in series if value > above), math.inf)
+
+
 STATISTICS = {
     "mean": mean,
     "last": lambda series: series[-1][1],
@@ -47,6 +73,21 @@ STATISTICS = {
     "drift": lambda series: trend(series) * (series[-1][0] - series[0][0]),  # over the window
     "change": lambda series: max((value - series[0][1] for _, value in series), key=abs),
 }
+WITH_A_KEY = {"arrival": (arrival, "above"), "noise": (noise, "over")}
+
+
+def statistic(finished, entry, series):
+    """The statistic of a series over its window."""
+    given = entry.given
+    name = given.get("statistic", "last")
+    if name in WITH_A_KEY:
+        of, key = WITH_A_KEY[name]
+        if key not in given:
+            finished.fail(f'the statistic "{name}" needs the key `{key}`')
+        return of(within(finished, series, *window(finished, entry)), given[key])
+    if "over" in given:
+        series = running_mean(series, given["over"])
+    return STATISTICS[name](within(finished, series, *window(finished, entry)))
 
 
 @measure("column", "A column of a table over time (history.csv, gauges.csv, profiles/front.csv, profiles/series.csv …). Where times are "
@@ -54,8 +95,11 @@ STATISTICS = {
          Key("file", "text", "the table, in the run's folder", required=True),
          Key("column", "text or texts", "its column, without the unit; several: one for each reference_column", required=True),
          Key("statistic", "text", "mean, last, largest, smallest, trend (slope per second), drift (trend times the window), change "
-                                  "(farthest from the first value); default: last", words=tuple(STATISTICS)),
+                                  "(farthest from the first value), arrival (time [s] of the first value above `above`), noise (root of "
+                                  "mean squares of the values less their running means over `over`); default: last", words=(*STATISTICS, *WITH_A_KEY)),
          *WINDOW,
+         Key("above", "number", "of the arrival"),
+         Key("over", "positive number", "values are replaced by their running means over so long [s]; of the noise, taken off them"),
          Key("clock", "text", "its column of times [s]; default: time, that of the water (bed_time: that of a bed that is a surface)"),
          Key("less", "number", "is taken from every value"),
          Key("empty", "number", "counts where a cell is empty (dry gauge); default: the row is left out"))
@@ -68,7 +112,7 @@ def column(finished, entry, _):
 
         def sample(time, series=series):
             if time is None:
-                return STATISTICS[given.get("statistic", "last")](within(finished, series, *window(finished, entry))) - less
+                return statistic(finished, entry, series) - less
             if isinstance(time, tuple):
                 return mean(within(finished, series, *time)) - less
             gap = max((after[0] - before[0] for before, after in zip(series, series[1:])), default=0.0)

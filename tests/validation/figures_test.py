@@ -101,6 +101,20 @@ class Measures(unittest.TestCase):
             point, = self.measured("column", {"file": "f", "column": "c", "statistic": statistic, "from": 2.0}, column=lambda *_: rows)
             self.assertAlmostEqual(point.computed, expected, msg=statistic)
 
+    def test_arrival_noise_and_running_mean_of_a_column(self):
+        rows = [(0.001 * n, 1000.0 + (100 if n % 2 else -100) if n >= 50 else 0.0) for n in range(101)]
+
+        def measured(**keys):
+            point, = self.measured("column", {"file": "f", "column": "c", **keys}, column=lambda *_: rows)
+            return point.computed
+
+        self.assertAlmostEqual(measured(statistic="arrival", above=500.0), 0.05)
+        self.assertEqual(measured(statistic="arrival", above=5000.0), math.inf)
+        # A mean over 9 or 10 of the values that alternate is off by at most a ninth of their swing.
+        self.assertAlmostEqual(measured(statistic="noise", over=0.01, **{"from": 0.07, "to": 0.09}), 100, delta=12)
+        self.assertAlmostEqual(measured(statistic="largest", over=0.01, **{"from": 0.07, "to": 0.09}), 1000, delta=12)
+        self.assertEqual(measured(statistic="largest"), 1100)
+
     def test_value_of_a_column_at_a_time(self):
         rows = [(0.0, 1.0), (1.0, 3.0), (2.0, 7.0)]
         points = self.measured("column", {"file": "f", "column": "c", "at": [0.9, 2.0], "less": 1}, column=lambda *_: rows)
