@@ -30,7 +30,7 @@ Loaded<Dim, On> load_with_elements(const Scene<Dim>& scene, const ParticleSet& f
   Loaded<Dim, On> l{On{}, {}, scene};
   load_particles(l.on, l.p, scene, from);
   if (!motions.empty()) load_motions(l.on, l.p, motions, from);
-  load_wall_elements(l.on, l.p, scene, FileShare(from));
+  load_wall_elements(l.on, l.p, scene, from);
   rebuild_lists(l.on, l.p, scene);
   return l;
 }
