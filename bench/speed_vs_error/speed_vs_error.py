@@ -61,16 +61,22 @@ class Point:
                     *(f"{key}={written(value)}" for key, value in self.changes.items())]
         label = " ".join([problem["name"], spacing, *(f"{key} {written(value)}" for key, value in self.changes.items())])
         self.run = runs.Run(matrix.thalweg, matrix.out / "runs", ROOT / problem["case"], label, settings)
-        self.failure = None
+        self.failure = self.earlier_failure()
+
+    def earlier_failure(self):
+        """The reason why the run failed before; None if it did not."""
+        failed = self.run.folder / "failed.txt"
+        if not failed.exists():
+            return None
+        settings, _, reason = failed.read_text(encoding="utf-8").partition("\n")
+        return reason if settings == str(self.run.settings) else None
 
     def compute(self, again):
-        """Computes the run unless it is there; a failed one counts as there, and its reason is kept."""
+        """Computes the run unless it is there; a failed one counts as there."""
+        if self.failure is not None and not again:
+            return
+        self.failure = None
         failed = self.run.folder / "failed.txt"
-        if failed.exists() and not again:
-            settings, _, reason = failed.read_text(encoding="utf-8").partition("\n")
-            if settings == str(self.run.settings):
-                self.failure = reason
-                return
         try:
             self.run.compute(PROBLEMS[self.problem["name"]].start, postproc=self.problem["name"] == "louvain")
         except RuntimeError as error:
