@@ -82,7 +82,7 @@ set xlabel "CPU seconds of one thread"
 set ylabel "error ({problem['measure']}) [{problem['unit']}]"
 set title "{problem['title']}"
 set key outside below horizontal
-set bmargin 6
+set bmargin 8
 set grid lc rgb "#dddddd"
 set xrange [{min(xs) / 1.4:g}:{max(xs) * 1.4:g}]
 set yrange [{min(ys) / 1.4:g}:{max(ys) * 1.4:g}]
