@@ -87,8 +87,11 @@ class PipelineRun(Run):
         if self.complete():
             return
         begun = self.folder / "made_by.begun.json"
+        earlier = self.mark(begun.name) or self.mark("made_by.json")
         goes_on = self.mark(begun.name) == self.identity
         if not goes_on:
+            if earlier:
+                say(f"{self.case.name}: {self.name}: made again, because {self.difference(earlier)}")
             shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True, exist_ok=True)
         begun.write_text(json.dumps(self.identity), encoding="utf-8")
@@ -102,6 +105,11 @@ class PipelineRun(Run):
             return
         begun.rename(self.folder / "made_by.json")
         say(f"{self.case.name}: {self.name}: {used.cpu:.1f} s of processor time")
+
+    def difference(self, earlier):
+        """The parts of its identity in which an earlier run differs."""
+        words = {"settings": "its settings have changed", "build": "the programs have changed", "case": "the case has changed"}
+        return " and ".join(words[key] for key, value in self.identity.items() if earlier.get(key) != value) or "it is not whole"
 
     def facts(self):
         """summary.csv: quantity → text."""

@@ -123,6 +123,7 @@ class Validate(unittest.TestCase):
         changed = small_case.CASE.replace('end = "0.1 s"', 'end = "0.15 s"')
         other = self.validate(level(), "--resume", case=changed)
         self.assertEqual(other.returncode, 0, other.stderr)
+        self.assertIn("made again, because the case has changed", other.stdout + other.stderr)
         self.assertNotEqual(summary.stat().st_mtime_ns, before, "the run of another case was taken for this one's")
 
     def test_an_interrupted_run_goes_on_from_its_checkpoint(self):
