@@ -1,7 +1,6 @@
 #include "common/extraction/periodic_images.hpp"
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "common/particle_arrays.hpp"

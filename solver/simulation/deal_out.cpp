@@ -24,7 +24,8 @@ struct WholeScene {
   std::int64_t step;
   bool has_lattice_node;
   double lattice_node[3];  // [m]
-  GpuMemory gpu_memory;
+  bool may_use_gpus;
+  GpuMemory gpu_memory;  // of each rank's
 };
 
 /// Runs what() on the first rank. Its error ends the start of all.
@@ -87,11 +88,12 @@ DealtShare send_shares(Ranks& ranks, const SharesOf& shares) {
 
 /// All particles to all ranks, whose columns are made of them.
 void begin_with_all(const Case& of, const ParticleSet& particles, Ranks& ranks, const ParticleFileInfo& info,
-                    RankStart& mine) {
+                    bool may_use_gpus, RankStart& mine) {
   ParticleSet all = from_message(broadcast(ranks, ranks.rank() == first_rank ? to_message(particles) : Bytes()));
   all.info = info;
   mine.surface_bed = make_surface_bed(of, all);
   mine.scene = make_scene(of, all);
+  if (may_use_gpus) mine.gpu_memory = estimate_gpu_memory(mine.scene, all, ranks.size());
   DealtShare share = shares_of(mine.scene, all, ranks.size())(ranks.rank());
   mine.particles = std::move(share.particles);
   mine.first_block = share.first_block;
@@ -99,7 +101,7 @@ void begin_with_all(const Case& of, const ParticleSet& particles, Ranks& ranks, 
 
 }  // namespace
 
-RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, bool may_use_gpu) {
+RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, bool may_use_gpus) {
   const bool needs_all = models::SurfaceBedOfCase::is_on(of);
   RankStart mine;
   SharesOf shares;
@@ -110,9 +112,10 @@ RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, b
     whole.step = info.step;
     whole.has_lattice_node = info.lattice_node.has_value();
     if (info.lattice_node) Vec3::Map(whole.lattice_node) = *info.lattice_node;
+    whole.may_use_gpus = may_use_gpus;
     if (needs_all) return;
     mine.scene = make_scene(of, particles);
-    if (may_use_gpu) whole.gpu_memory = estimate_gpu_memory(mine.scene, particles, ranks.size());
+    if (may_use_gpus) whole.gpu_memory = estimate_gpu_memory(mine.scene, particles, ranks.size());
     shares = shares_of(mine.scene, particles, ranks.size());
   });
   whole = gather_from(ranks, whole)[first_rank];
@@ -121,10 +124,10 @@ RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, b
   info.step = whole.step;
   if (whole.has_lattice_node) info.lattice_node = Vec3(whole.lattice_node);
   if (needs_all) {
-    begin_with_all(of, particles, ranks, info, mine);
+    begin_with_all(of, particles, ranks, info, whole.may_use_gpus, mine);
     return mine;
   }
-  if (may_use_gpu) mine.gpu_memory = whole.gpu_memory;
+  if (whole.may_use_gpus) mine.gpu_memory = whole.gpu_memory;
   mine.scene = of.info.dimension == 3 ? send_scene<3>(ranks, mine.scene) : send_scene<2>(ranks, mine.scene);
   DealtShare share = send_shares(ranks, shares);
   mine.particles = std::move(share.particles);

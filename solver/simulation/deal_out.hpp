@@ -22,7 +22,8 @@ struct RankStart {
 
 /// Makes the scene out of `particles`, which the first rank alone has, and deals them out: a rank is sent its share and
 /// never has more. A bed that is a surface is the exception: every rank makes its columns out of all particles. Called by all
-/// ranks. Throws InputError on all of them for what the solver cannot run; the first one's says why.
-RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, bool may_use_gpu);
+/// ranks. `may_use_gpus`, of which the first rank's counts: the memory that each GPU needs is estimated too, from all
+/// particles. Throws InputError on all of them for what the solver cannot run; the first one's says why.
+RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, bool may_use_gpus);
 
 }  // namespace thalweg

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "case/models/surface_bed.hpp"
+#include "common/installation.hpp"
 #include "solver/models/moving_walls/make_motions.hpp"
 #include "solver/models/openings/make_openings.hpp"
 #include "solver/models/surface_bed/make_surface_bed.hpp"
@@ -21,7 +22,8 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& 
   std::optional<Vec3> lattice_node = particles.info.lattice_node;
   input.particles = &particles;
   if (options.ranks != nullptr && options.ranks->size() > 1) {
-    share = deal_out(of, particles, *options.ranks, options.backend != "openmp");
+    const bool may_use_gpus = options.backend != "openmp" && !find_core("cuda").empty();
+    share = deal_out(of, particles, *options.ranks, may_use_gpus);
     input.particles = &share.particles;
     input.scene = share.scene;
     input.surface_bed = share.surface_bed;

@@ -1,12 +1,15 @@
 #include "solver/simulation/gpu_memory.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "case/models/surface_bed.hpp"
 #include "case/reader/case_file.hpp"
 #include "common/error.hpp"
 #include "gencase/generate.hpp"
 #include "solver/backend/list_limit.hpp"
+#include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "solver/simulation/deal.hpp"
+#include "solver/simulation/deal_out.hpp"
 #include "solver/simulation/make_scene.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/thread_ranks.hpp"
@@ -107,6 +110,23 @@ TEST(GpuMemory, IsRefusedWithTheSpacingThatFits) {
   EXPECT_GT(memory.coefficients, 0);
   EXPECT_FALSE(coefficients_fit(memory, memory.needed + memory.coefficients)) << "no room to spare";
   EXPECT_TRUE(coefficients_fit(memory, 2 * (memory.needed + memory.coefficients)));
+}
+
+// Ranks are sent their shares; with a bed that is a surface each makes its columns, which are more particles.
+TEST(GpuMemory, OfRanksIsEstimatedFromAllParticles) {
+  for (const char* name : {"dam_break", "pipeline_hours"}) {
+    SCOPED_TRACE(name);
+    const gencase::Generated made = gencase::generate(read_case(std::string(THALWEG_SOURCE_DIR "/cases/") + name, {}));
+    ParticleSet all = made.particles;
+    if (models::SurfaceBedOfCase::is_on(made.resolved)) make_surface_bed(made.resolved, all);
+    std::vector<double> dealt(2);
+    test::ThreadRanks(2).run([&](Ranks& mine) {
+      const ParticleSet nothing;
+      const RankStart start = deal_out(made.resolved, mine.rank() == 0 ? made.particles : nothing, mine, true);
+      dealt[static_cast<std::size_t>(mine.rank())] = start.gpu_memory.value().particles;
+    });
+    EXPECT_THAT(dealt, testing::Each(double(all.size())));
+  }
 }
 
 TEST(ListEntries, AreRefusedBeyondWhatTheirNumbersHold) {

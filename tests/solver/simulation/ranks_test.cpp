@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         Scenario{"SurfaceBed", "pipeline_hours", {"surface_bed.spin_up=2 ms", "surface_bed.window=5 ms"}, 60}),
     [](const auto& scenario) { return std::string(scenario.param.name); });
 
-// The others wait for the first one's word, which is the reason, or that there is one.
+// The first rank gives the reason. The others end with a word of their own.
 TEST(StartOnRanks, OfASceneThatCannotRunIsRefusedOnAllRanks) {
   CaseRun run("refused_ranks");
   run.fill("dam_break", {"numerics.spacing=20 mm"});
