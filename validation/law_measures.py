@@ -2,7 +2,7 @@
 
 import math
 
-from study.norms import slope
+from study.norms import LogLaw, slope
 from thalweg.particle_file import SEDIMENT, WATER
 from study.results import quantity
 from validation.column_measures import mean, within
@@ -10,13 +10,12 @@ from validation.keys import Key
 from validation.library import measure
 from validation.points import Point
 
-VON_KARMAN = 0.41
 DEPTH = Key("depth", "positive number", "depth of the water [m]", required=True)
 LAST = Key("last", "positive number", "share of the run, at its end, over which is averaged; default: the last third")
 
 
-class Current:
-    """The logarithmic law u = (u*/κ) ln(z/z0), z0 = 0.11 ν/u* + 0.033 ks, of a run that a slope drives: u*² = g H S."""
+class Current(LogLaw):
+    """The logarithmic law of a run that a slope drives: u*² = g H S."""
 
     def __init__(self, finished, entry):
         case, self.depth = finished.case, entry.given["depth"]
@@ -25,16 +24,8 @@ class Current:
         water = case["materials"]["water"]
         viscosity = quantity(water["viscosity"]) / quantity(water["density"])
         roughness = max(quantity(shape.get("roughness", 0)) for shape in case["shape"] if shape["role"] == "wall")
-        self.friction = math.sqrt(finished.gravity * self.depth * quantity(case["flow"]["slope"]))
-        self.origin = 0.11 * viscosity / self.friction + 0.033 * roughness  # physics/water/log_profile.hpp
+        super().__init__(math.sqrt(finished.gravity * self.depth * quantity(case["flow"]["slope"])), viscosity, roughness)
         self.begin = finished.end * (1 - entry.given.get("last", 1 / 3))
-
-    def velocity(self, z):
-        return self.friction / VON_KARMAN * math.log(z / self.origin) if z > self.origin else 0.0
-
-    def mean(self):
-        """Over the depth; from ∫ ln(z/z0) dz between z0 and H."""
-        return self.friction / VON_KARMAN * (math.log(self.depth / self.origin) - 1 + self.origin / self.depth)
 
 
 @measure("log-law velocity", "Mean velocity of the water [m/s] against the mean of the logarithmic law over the depth.", DEPTH, LAST,
@@ -42,7 +33,7 @@ class Current:
 def log_law_velocity(finished, entry, _):
     law = Current(finished, entry)
     series = within(finished, finished.column("history.csv", "bulk_velocity"), law.begin, finished.end)
-    return [Point("", mean(series), law.mean(), law.mean())]
+    return [Point("", mean(series), law.mean(law.depth), law.mean(law.depth))]
 
 
 @measure("log-law stress", "Drive less change of momentum, (g_x − dU/dt) H, against u*² = g H S [m²/s²]: what the floor takes.", DEPTH, LAST,

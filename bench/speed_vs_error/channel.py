@@ -6,8 +6,6 @@ from study import norms
 from study.results import quantity, resolved, snapshots
 from thalweg.particle_file import WATER, arrays, of_fluid
 
-KAPPA = 0.41  # [-] as in physics/water/log_profile.hpp
-
 
 class Channel:
     """rows: root mean square of the rows' velocities, less the law's at their middle, over the mean velocity of the law; mean: relative
@@ -33,16 +31,12 @@ class Channel:
         return self.of_samples(samples, quantity(resolved(run.folder)["numerics"]["spacing"]))
 
     def law(self):
-        """Velocity [m/s] as a function of the height [m], and its mean: u* ln(z/z0)/kappa, z0 = 0.11 nu/u* + 0.033 ks
-        (docs/theory.md, Currents)."""
-        friction = math.sqrt(self.gravity * self.depth * self.slope)
-        z0 = 0.11 * self.viscosity / friction + 0.033 * self.roughness
-        mean = friction / KAPPA * (math.log(self.depth / z0) - 1 + z0 / self.depth)
-        return lambda z: friction / KAPPA * math.log(z / z0), mean
+        return norms.LogLaw(math.sqrt(self.gravity * self.depth * self.slope), self.viscosity, self.roughness)
 
     def of_samples(self, samples, row_height):
         """Errors of samples (height [m], velocity [m/s], weight)."""
-        law, mean = self.law()
+        law = self.law()
+        mean = law.mean(self.depth)
         count = round(self.depth / row_height)
         flow, weight = [0.0] * count, [0.0] * count
         all_flow = all_weight = 0.0
@@ -52,5 +46,5 @@ class Channel:
             weight[row] += w
             all_flow += w * u
             all_weight += w
-        rows = [flow[row] / weight[row] - law((row + 0.5) * row_height) for row in range(1, count - 1)]
+        rows = [flow[row] / weight[row] - law.velocity((row + 0.5) * row_height) for row in range(1, count - 1)]
         return {"rows": norms.rms(rows) / mean, "mean": all_flow / all_weight / mean - 1}

@@ -52,7 +52,29 @@ def names_of(table):
     return [problem["name"] for problem in table["problem"] if not problem.get("alone", False)]
 
 
-class Point:
+class AnyPoint:
+    """One run of one problem, on particles or on a mesh."""
+
+    problem, run, failure = None, None, None
+
+    def there(self):
+        return self.run.complete() or self.failure is not None
+
+    def figures(self, errors, elements, with_pairs):
+        """The part of a line of points.csv that a run measures; `elements`: their row in summary.csv."""
+        keys = ("measure", "error", "further", "cpu [s]", "steps [-]", "particles [-]", "pairs [1e9]", "particle-steps per CPU s [1/s]")
+        if self.failure is not None:
+            return dict.fromkeys(keys, "") | {"failure": self.failure}
+        cpu, steps, count = self.run.cpu_seconds(), self.run.summary("steps"), self.run.summary(elements)
+        pairs = f"{steps * count * self.run.summary('neighbours_mean') / 1e9:.4g}" if with_pairs else ""
+        measure = self.problem["measure"]
+        further = "; ".join(f"{name}={value:.4g}" for name, value in errors.items() if name != measure)
+        error = f"{errors[measure]:.5g}" if measure in errors else ""
+        values = (measure, error, further, f"{cpu:.3f}", int(steps), int(count), pairs, f"{steps * count / max(cpu, 1e-3):.3g}")
+        return dict(zip(keys, values)) | {"failure": ""}
+
+
+class Point(AnyPoint):
     """One run of one problem: a spacing, and the keys that are changed."""
 
     def __init__(self, matrix, problem, group, spacing, changes=None):
@@ -86,29 +108,16 @@ class Point:
             failed.write_text(f"{self.run.settings}\n{self.failure}", encoding="utf-8")
             print(f"failed: {self.run.name}: {self.failure}", flush=True)
 
-    def there(self):
-        return self.run.complete() or self.failure is not None
-
     def row(self, errors):
         """The point as a line of points.csv."""
         case = resolved(self.run.folder) if self.run.complete() else {}
         row = {"problem": self.problem["name"], "group": self.group, "spacing": self.spacing,
                "changed": " ".join(f"{key.split('.')[-1]}={written(value)}" for key, value in self.changes.items())}
         row |= {key: "" if value_of(case, key) is None else written(value_of(case, key)) for key in SHOWN}
-        if self.failure is not None:
-            return row | {"measure": "", "error": "", "further": "", "cpu [s]": "", "steps [-]": "", "particles [-]": "",
-                          "pairs [1e9]": "", "particle-steps per CPU s [1/s]": "", "failure": self.failure}
-        cpu, steps, particles = (self.run.cpu_seconds(), self.run.summary("steps"), self.run.summary("fluid_particles"))
-        pairs = steps * particles * self.run.summary("neighbours_mean") / 1e9
-        measure = self.problem["measure"]
-        further = "; ".join(f"{name}={value:.4g}" for name, value in errors.items() if name != measure)
-        return row | {"measure": measure, "error": f"{errors[measure]:.5g}" if measure in errors else "",
-                      "further": further, "cpu [s]": f"{cpu:.3f}", "steps [-]": int(steps), "particles [-]": int(particles),
-                      "pairs [1e9]": f"{pairs:.4g}",
-                      "particle-steps per CPU s [1/s]": f"{steps * particles / max(cpu, 1e-3):.3g}", "failure": ""}
+        return row | self.figures(errors, "fluid_particles", with_pairs=True)
 
 
-class MeshPoint:
+class MeshPoint(AnyPoint):
     """One run of one problem on a mesh."""
 
     def __init__(self, matrix, problem, mesh, cell, group="mesh"):
@@ -116,7 +125,6 @@ class MeshPoint:
         settings = [*problem.get("set", []), *mesh.get("set", [])]
         label = f"{problem['name']} {self.model} {cell} cells"
         self.run = MeshRun(matrix.thalweg, matrix.out / "runs", ROOT / problem["case"], label, settings, cell, self.model)
-        self.failure = None
 
     def compute(self, again):
         """Computes the run unless it is there; one that fails is left out, with its reason."""
@@ -127,22 +135,10 @@ class MeshPoint:
             self.failure = str(error).splitlines()[-1].split("error: ")[-1]
             print(f"failed: {self.run.name}: {self.failure}", flush=True)
 
-    def there(self):
-        return self.run.complete() or self.failure is not None
-
     def row(self, errors):
         """The point as a line of points.csv: cells in place of particles."""
         row = {"problem": self.problem["name"], "group": self.group, "spacing": self.cell, "changed": self.model}
-        row |= {key: "" for key in SHOWN}
-        if self.failure is not None:
-            return row | {"measure": "", "error": "", "further": "", "cpu [s]": "", "steps [-]": "", "particles [-]": "",
-                          "pairs [1e9]": "", "particle-steps per CPU s [1/s]": "", "failure": self.failure}
-        cpu, steps, cells = self.run.cpu_seconds(), self.run.summary("steps"), self.run.summary("cells")
-        measure = self.problem["measure"]
-        further = "; ".join(f"{name}={value:.4g}" for name, value in errors.items() if name != measure)
-        return row | {"measure": measure, "error": f"{errors[measure]:.5g}" if measure in errors else "", "further": further,
-                      "cpu [s]": f"{cpu:.3f}", "steps [-]": int(steps), "particles [-]": int(cells), "pairs [1e9]": "",
-                      "particle-steps per CPU s [1/s]": f"{steps * cells / max(cpu, 1e-3):.3g}", "failure": ""}
+        return row | dict.fromkeys(SHOWN, "") | self.figures(errors, "cells", with_pairs=False)
 
 
 class Matrix:

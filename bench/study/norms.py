@@ -52,6 +52,24 @@ def vortex(x, z, time, side, speed, viscosity):
     return u, w, (speed * decay) ** 2 / 4 * (math.cos(2 * k * x) + math.cos(2 * k * z))
 
 
+VON_KARMAN = 0.41  # [-] as in physics/water/log_profile.hpp
+
+
+class LogLaw:
+    """The logarithmic law of a rough or smooth floor: u = (u*/κ) ln(z/z0), z0 = 0.11 ν/u* + 0.033 ks."""
+
+    def __init__(self, friction, viscosity, roughness):
+        self.friction = friction  # [m/s] u*
+        self.origin = 0.11 * viscosity / friction + 0.033 * roughness  # [m] z0
+
+    def velocity(self, z):
+        return self.friction / VON_KARMAN * math.log(z / self.origin) if z > self.origin else 0.0
+
+    def mean(self, depth):
+        """Over the depth; from ∫ ln(z/z0) dz between z0 and H."""
+        return self.friction / VON_KARMAN * (math.log(depth / self.origin) - 1 + self.origin / depth)
+
+
 def layered_pressure(z, layers, gravity):
     """Hydrostatic pressure [Pa] under layers of (top [m], density [kg/m^3]), the lowest first."""
     pressure, below = 0.0, z
