@@ -7,6 +7,7 @@
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
 #include "foam_reference/openings.hpp"
+#include "foam_reference/solid_faces.hpp"
 #include "foam_reference/start_velocity.hpp"
 #include "foam_reference/wall_patches.hpp"
 
@@ -187,7 +188,37 @@ std::string flow_set(const FoamCase& foam_case, double roughness, bool is_last) 
   return "actions\n(\n" + text + ");\n";
 }
 
-// The faces of each inlet and outlet.
+std::string walls_beside(std::size_t solids) { return "beside_" + solids_patch(solids); }
+
+// The patches of solids that close a part of the block's outer face, each once.
+std::vector<std::size_t> closing_solids(const FoamCase& foam_case) {
+  std::vector<std::size_t> found;
+  for (const SolidFaces& faces : solid_faces(foam_case)) found.push_back(faces.solids);
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+// The faces of the block's outer face that solids close, one set for each patch of solids.
+std::string wall_sets(const FoamCase& foam_case) {
+  std::string text;
+  for (const std::size_t solids : closing_solids(foam_case)) {
+    std::string action = "new";
+    for (const SolidFaces& faces : solid_faces(foam_case)) {
+      if (faces.solids != solids) continue;
+      text += face_action(walls_beside(solids), action,
+                          {"boxToFace", "box " + vector(faces.bounds.low) + " " + vector(faces.bounds.high) + ";"});
+      action = "add";
+    }
+    text += face_action(walls_beside(solids), "subset", {"patchToFace", "patch atmosphere;"});
+    for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
+      text += face_action(walls_beside(solids), "subtract", {"faceToFace", "set " + patch.patch + ";"});
+    }
+  }
+  return text;
+}
+
+// The faces of each inlet and outlet, and of the solids beside them.
 std::string opening_sets(const FoamCase& foam_case) {
   std::string text;
   for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
@@ -203,7 +234,7 @@ std::string opening_sets(const FoamCase& foam_case) {
     text += face_action(patch.patch, "new", source) +
             face_action(patch.patch, "subset", {"patchToFace", "patch \"(walls|atmosphere)\";"});
   }
-  return "actions\n(\n" + text + ");\n";
+  return "actions\n(\n" + text + wall_sets(foam_case) + ");\n";
 }
 
 std::string create_patches(const FoamCase& foam_case) {
@@ -212,6 +243,10 @@ std::string create_patches(const FoamCase& foam_case) {
     text +=
         substitute("    { name %name%; patchInfo { type patch; } constructFrom set; set %name%; }  // \"%called%\"\n",
                    {{"name", patch.patch}, {"called", patch.opening->name}});
+  }
+  for (const std::size_t solids : closing_solids(foam_case)) {
+    text += substitute("    { name %name%; patchInfo { type wall; } constructFrom set; set %set%; }\n",
+                       {{"name", solids_patch(solids)}, {"set", walls_beside(solids)}});
   }
   return "pointSync false;\n\npatches\n(\n" + text + ");\n";
 }
@@ -304,8 +339,10 @@ CaseFiles mesh_files(const FoamCase& foam_case) {
         flow_set(foam_case, solids[i], i + 1 == solids.size()));
   }
   if (!opening_patches(scene).empty()) {
-    add("topoSetDict.openings", "The faces of inlets and outlets, by their centres.", opening_sets(foam_case));
-    add("createPatchDict", "Inlets and outlets as patches of their own.", create_patches(foam_case));
+    add("topoSetDict.openings", "The faces of inlets and outlets and of walls beside them, by their centres.",
+        opening_sets(foam_case));
+    add("createPatchDict", "Inlets and outlets as patches of their own; walls beside them to the solids.",
+        create_patches(foam_case));
   }
   if (const std::string sets = combined_sets(foam_case); !sets.empty()) {
     add("topoSetDict.shapes", "Cell sets of the combined shapes that setFields fills.", "actions\n(\n" + sets + ");\n");

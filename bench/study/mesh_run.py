@@ -75,5 +75,5 @@ def field(file):
 
 
 def each(values, count):
-    """One value for each cell, also of a uniform field."""
-    return values if len(values) == count else values * count
+    """One value, or one vector, for each cell, also of a uniform field."""
+    return values * count if len(values) in (1, 3) else values

@@ -68,6 +68,16 @@ TEST_F(FoamCurrentTest, ConservesTheDischargeBetweenInletAndTailWater) {
   EXPECT_NEAR(station_mean(), 0.4, 0.01);
 }
 
+// Nothing passes the gate over the slot: what comes in and does not leave through the outlet is in the tank.
+TEST_F(FoamCurrentTest, LosesNoWaterThroughAGate) {
+  Case scene = sluice();
+  run(scene, FoamModel::stock);
+  const double in = history("west_water", "kg").back();
+  EXPECT_NEAR(in, 1000 * 0.04 * 1, 0.04);
+  const double water = 1000 * (summary("water_volume_end") - summary("water_volume_start"));
+  EXPECT_NEAR(in + history("east_water", "kg").back(), water, 1e-3);
+}
+
 // A pump takes out what the inlets bring, and the volume of the water stays; on two ranks too, where each has one end.
 TEST_F(FoamCurrentTest, PumpsWhatComesInOnTwoRanks) {
   Case scene = channel();

@@ -66,4 +66,25 @@ inline Case channel() {
   return scene;
 }
 
+/// The channel under 0.2 m of tail water, fed at 1 m/s through a slot of 40 mm under a gate that stands behind the inlet's
+/// plane.
+inline Case sluice() {
+  Case scene = channel();
+  scene.shapes.push_back(box("gate", ShapeRole::wall, Vec3(-0.2, 0, 0.04), Vec3(0, 0, 0.4)));
+  scene.shapes[1].from.x() = 0;
+  scene.shapes[1].to.z() = 0.2;
+  scene.flow = Flow();
+  Inlet& slot = scene.inlets[0];
+  slot.at.z() = 0.02;
+  slot.height = 0.04;
+  slot.discharge = 0;
+  slot.velocity = 1;
+  slot.surface = InletSurface::full;
+  slot.profile = InletProfile::uniform;
+  scene.outlets[0].at.z() = 0.13;
+  scene.outlets[0].height = 0.26;
+  scene.outlets[0].level = 0.2;
+  return scene;
+}
+
 }  // namespace thalweg::foam

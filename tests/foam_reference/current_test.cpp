@@ -11,6 +11,7 @@
 #include "foam_reference/foam_model.hpp"
 #include "foam_reference/initial_fields.hpp"
 #include "foam_reference/opening_conditions.hpp"
+#include "foam_reference/solid_faces.hpp"
 #include "foam_reference/velocity_sampler.hpp"
 #include "physics/water/log_profile.hpp"
 #include "tests/foam_reference/current_scene.hpp"
@@ -57,6 +58,57 @@ TEST(BlockOfACurrent, KeepsOnlyCellsThatTheFlowReaches) {
               HasSubstr("name inlet0; type faceSet; action new; source boxToFace"));
   EXPECT_THAT(files.at("system/createPatchDict"), HasSubstr("name outlet0; patchInfo { type patch; }"));
   EXPECT_THAT(scripts(make_foam_case(channel(), 1)).at("Allrun"), HasSubstr("createPatch -overwrite"));
+}
+
+// A gate stands over the slot of the inlet, outside the block: without the wall water ran out through it.
+TEST(SolidFaces, CloseTheBlockWhereAGateStandsBehindItsPlane) {
+  const FoamCase foam_case = make_foam_case(sluice(), 1);
+  const std::vector<SolidFaces> faces = solid_faces(foam_case);
+  ASSERT_EQ(faces.size(), 3U);  // the floor behind both planes, and the gate
+  EXPECT_NEAR(faces[1].bounds.low.z(), 0.04, 1e-12);
+  EXPECT_NEAR(faces[1].bounds.high.z(), foam_case.plan.high.z(), 1e-12);
+  EXPECT_NEAR(faces[1].bounds.high.x(), 2e-4, 1e-12);
+  EXPECT_EQ(faces[2].bounds.low.y(), -0.5);
+  const CaseFiles files = mesh_files(foam_case);
+  EXPECT_THAT(files.at("system/topoSetDict.openings"),
+              HasSubstr("name beside_solids; type faceSet; action subtract; source faceToFace; set inlet0"));
+  EXPECT_THAT(files.at("system/createPatchDict"),
+              HasSubstr("name solids; patchInfo { type wall; } constructFrom set; set beside_solids;"));
+}
+
+TEST(SolidFaces, GoToThePatchOfTheirRoughness) {
+  Case scene = sluice();
+  scene.shapes.back().roughness = 2e-3;
+  const std::vector<SolidFaces> faces = solid_faces(make_foam_case(scene, 1));
+  ASSERT_EQ(faces.size(), 3U);
+  EXPECT_EQ(faces[0].solids, 0U);
+  EXPECT_EQ(faces[1].solids, 1U);
+}
+
+// A sphere behind a plane in space: strips of different heights.
+TEST(SolidFaces, FollowARoundWallInSpace) {
+  Case scene = sluice();
+  scene.info.dimension = 3;
+  scene.domain.to.y() = 0.4;
+  for (Shape& shape : scene.shapes) shape.to.y() = 0.4;
+  Shape& gate = scene.shapes.back();
+  gate = Shape();
+  gate.name = "ball";
+  gate.role = ShapeRole::wall;
+  gate.kind = ShapeKind::sphere;
+  gate.center = Vec3(-0.01, 0.2, 0.1);
+  gate.radius = 0.05;
+  scene.inlets[0].at.y() = 0.2;
+  scene.inlets[0].width = 0.4;
+  scene.outlets[0].at.y() = 0.2;
+  scene.outlets[0].width = 0.4;
+  const FoamCase foam_case = make_foam_case(scene, 1);
+  double area = 0;
+  for (const SolidFaces& faces : solid_faces(foam_case)) {
+    if (faces.bounds.low.z() < 0 || faces.bounds.high.x() > 0.1) continue;
+    area += (faces.bounds.high.y() - faces.bounds.low.y()) * (faces.bounds.high.z() - faces.bounds.low.z());
+  }
+  EXPECT_NEAR(area, 16 * 0.02 * 0.02, 1e-12);  // the faces whose middles lie within 50 mm of (0.2 m, 0.1 m)
 }
 
 TEST(Model, OfACurrentIsInterFoamAndTheErodingBed) {

@@ -18,7 +18,7 @@ namespace thalweg::test {
 /// alone it is 0.78 of that.
 inline void expect_a_jet_that_slows_down_as_measured(const std::string& spacing) {
   CaseRun run("wall_jet");
-  run.fill_from(THALWEG_SOURCE_DIR "/tests/solver/program/openings/wall_jet.toml",
+  run.fill_from(THALWEG_SOURCE_DIR "/bench/speed_vs_error/scenes/wall_jet/case.toml",
                 {"numerics.spacing=\"" + spacing + "\""});
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const std::vector<ParticleSet> snapshots = snapshots_from(run, 1.45);
