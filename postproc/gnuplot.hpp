@@ -25,7 +25,8 @@ enum class GnuplotResult { drawn, not_installed };
 GnuplotResult run_gnuplot(const std::filesystem::path& script, std::chrono::seconds patience = std::chrono::minutes(2));
 
 /// Draws pictures (run_gnuplot). A script that fails costs its own picture; after one that hangs, or without gnuplot, no
-/// other is tried. Returns true if all are drawn; otherwise a warning says how many are missing, and why.
+/// other is tried, and a warning says how many are missing, and why. Returns false if a script failed: without gnuplot
+/// the report is whole but for its pictures.
 bool draw_pictures(const std::vector<std::filesystem::path>& scripts, std::vector<std::string>& warnings);
 
 /// A text as a single-quoted gnuplot string.

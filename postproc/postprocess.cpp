@@ -87,7 +87,7 @@ bool draw_movie(ReportInput& input) {
   return movie.frames > 0;
 }
 
-// False if the pictures could not be drawn.
+// False if a picture could not be drawn although gnuplot is there.
 bool make_report(ReportInput& input, bool in_space) {
   const RunFolder& run = input.run;
   input.in_space = in_space;

@@ -122,7 +122,7 @@ void check_bed_load(const Inlet& inlet, const Case& whole, const CheckContext& a
   if (inlet.bed_load == InletBedLoad::none) return;
   const std::string key = at.key("bed_load");
   if (models::SurfaceBedOfCase::is_on(whole)) {
-    at.reject(key, at.path() + " brings bed load onto a bed that is a surface, which asks for its own",
+    at.reject(key, at.path() + " brings bed load, which a bed that is a surface takes from surface_bed.feed",
               "give surface_bed.feed, and remove bed_load");
   }
   if (!models::ThreeState::is_on(whole) || whole.model.implementation != Implementation::law) {
