@@ -12,6 +12,7 @@ from study import norms
 from study.mesh_run import each, field
 from study.results import Gauges
 from thalweg.tables import read_table
+from wall_jet import WallJet
 
 
 def liquid(folder, count):
@@ -116,5 +117,20 @@ class ChannelOnMesh(Channel):
         return self.of_samples(samples, run.summary("cell_size"))
 
 
+class WallJetOnMesh(WallJet):
+    """Rows of cells in place of rows of particles; a cell counts by its share of water."""
+
+    def errors(self, run, finest=None, particles=None):
+        centres = run.centres()
+        samples = []
+        for time, folder in run.times():
+            if time < self.begin:
+                continue
+            velocity, share = each(field(folder / "U"), len(centres)), liquid(folder, len(centres))
+            samples += [(x, z, velocity[3 * cell], share[cell]) for cell, (x, _, z) in enumerate(centres) if share[cell] > 0.5]
+        return self.of_samples(samples, run.summary("cell_size"))
+
+
 ON_MESH = {"dam_break": DamBreakOnMesh(), "impact": ImpactOnMesh(), "spheric02": BoxOnMesh(), "louvain": Louvain(),
-           "still_tank": Still([(0.3, 1000.0)]), "still_water": Still([(0.06, 1286.2), (0.16, 1000.0)]), "channel": ChannelOnMesh()}
+           "still_tank": Still([(0.3, 1000.0)]), "still_water": Still([(0.06, 1286.2), (0.16, 1000.0)]), "channel": ChannelOnMesh(),
+           "wall_jet": WallJetOnMesh()}

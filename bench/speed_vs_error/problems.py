@@ -16,6 +16,7 @@ from study.origin import ROOT
 from thalweg.particle_file import SEDIMENT, WATER, arrays, of_fluid, replace_arrays
 from study.results import Gauges, quantity, resolved, snapshots
 from thalweg.tables import read_table
+from wall_jet import WallJet
 
 GRAVITY = 9.81  # [m/s^2] of every case but the slot
 
@@ -247,4 +248,4 @@ PROBLEMS = {"poiseuille": Slot(), "taylor_green": Vortex(), "taylor_green_100": 
             "still_water": Still(), "still_water_10s": Still(), "still_tank": water.StillTank(),
             "standing_wave": water.StandingWave(), "dry_bed": water.DryBed(), "dry_sand": water.DryBed(), "dry_wall": water.DryBed(),
             "drop": water.Falling(), "splash": water.Falling(), "dam_break": DamBreak(), "impact": Impact(), "spheric02": Box(),
-            "louvain": Louvain(), "channel": Channel()}
+            "louvain": Louvain(), "channel": Channel(), "wall_jet": WallJet()}
