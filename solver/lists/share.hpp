@@ -23,7 +23,7 @@ namespace thalweg {
 template <int Dim, class Device>
 class Share final : public SharedScene, public StaleFields {
  public:
-  explicit Share(Ranks& of) : SharedScene(of) {
+  explicit Share(Ranks& of) : SharedScene(of), waited_before_(of.waited()) {
     const auto n = static_cast<std::size_t>(of.size());
     copies_of_.resize(n);
     outgoing_.resize(n);
@@ -118,6 +118,9 @@ class Share final : public SharedScene, public StaleFields {
 
   /// Time that the slowest rank computes over the mean of all, less 1 [-].
   [[nodiscard]] double imbalance() const { return pace_.imbalance(); }
+  /// Time that this rank has waited for others since the share was made [s], and the part of it for fields of copies.
+  [[nodiscard]] double waited() const { return ranks.waited() - waited_before_; }
+  [[nodiscard]] double waited_for_copies() const { return waited_for_copies_; }
   /// The copies that this rank keeps of others' particles.
   [[nodiscard]] Index copies() const { return p_ == nullptr ? 0 : p_->copies.count(); }
 
@@ -137,7 +140,9 @@ class Share final : public SharedScene, public StaleFields {
       to[r] = {outgoing_[r].data(), outgoing_[r].size()};
       from[r] = {incoming_[r].data(), incoming_[r].size()};
     }
+    waited_for_copies_ -= ranks.waited();
     ranks.exchange(to, from);
+    waited_for_copies_ += ranks.waited();
     for (std::size_t r = 0; r < n; ++r) {
       if (copy_[r].size() > 0) unpack(on, *p_, *scene_, fields, incoming_[r].data(), copy_[r], beside_);
     }
@@ -177,6 +182,8 @@ class Share final : public SharedScene, public StaleFields {
   neighbours::BlockExchange<Dim> blocks_;
   FieldsBeside beside_;
   Pace pace_;
+  double waited_before_;
+  double waited_for_copies_ = 0;
   Device* on_ = nullptr;
   Particles<Device>* p_ = nullptr;
   const Scene<Dim>* scene_ = nullptr;

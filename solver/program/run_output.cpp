@@ -240,6 +240,8 @@ void RunOutput::finish(Simulation& simulation, const RunClock& clock, const RunC
       sent("collectives_per_step", facts.sent.collectives, "-");
       sent("messages_per_step", facts.sent.messages, "-");
       sent("sent_bytes_per_step", facts.sent.bytes, "B");
+      row("waited_per_step", fmt::format("{:.6f}", facts.waited / done), "s");
+      row("waited_for_copies_per_step", fmt::format("{:.6f}", facts.waited_for_copies / done), "s");
       row("imbalance", fmt::format("{:.3f}", facts.imbalance), "-");
     }
     row("bytes_per_particle", fmt::format("{:.0f}", facts.bytes_per_particle), "B");

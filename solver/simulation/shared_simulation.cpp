@@ -60,6 +60,8 @@ struct CountedFacts {
   double bytes;
   double copies;
   double neighbours;
+  double waited;
+  double waited_for_copies;
   Traffic sent;
 };
 
@@ -71,6 +73,8 @@ SimulationFacts gather_facts(Ranks& ranks, SimulationFacts facts) {
                           facts.bytes_per_particle * n,
                           facts.copies_per_particle * n,
                           facts.neighbours_mean * static_cast<double>(facts.fluid_particles),
+                          facts.waited,
+                          facts.waited_for_copies,
                           ranks.sent()};
   CountedFacts all{};
   for (const CountedFacts& f : gather_from(ranks, mine)) {
@@ -80,6 +84,8 @@ SimulationFacts gather_facts(Ranks& ranks, SimulationFacts facts) {
     all.bytes += f.bytes;
     all.copies += f.copies;
     all.neighbours += f.neighbours;
+    all.waited += f.waited;
+    all.waited_for_copies += f.waited_for_copies;
     if (f.sent.bytes >= all.sent.bytes) all.sent = f.sent;
   }
   facts.particles = all.particles;
@@ -91,6 +97,8 @@ SimulationFacts gather_facts(Ranks& ranks, SimulationFacts facts) {
   }
   if (all.fluid > 0) facts.neighbours_mean = all.neighbours / static_cast<double>(all.fluid);
   facts.ranks = ranks.size();
+  facts.waited = all.waited / ranks.size();
+  facts.waited_for_copies = all.waited_for_copies / ranks.size();
   facts.sent = all.sent;
   facts.device = fmt::format("{} ranks of {}", ranks.size(), facts.device);
   return facts;

@@ -29,6 +29,8 @@ struct SimulationFacts {
   double copies_per_particle = 0;  // of particles that other ranks have
   Traffic sent;                    // by the rank that sent most bytes
   double imbalance = 0;            // time that the slowest rank computes over the mean of all, less 1 [-]
+  double waited = 0;               // since the first step, the mean of the ranks [s]
+  double waited_for_copies = 0;    // part of it: for fields of copies [s]
   std::string device;              // "OpenMP, AVX-512, 2 threads"
 };
 

@@ -158,6 +158,8 @@ SimulationFacts SimulationOn<Dim, OnDevice>::facts() {
   if (share_ != nullptr) {
     f.copies_per_particle = double(share_->copies()) / n;
     f.imbalance = share_->imbalance();
+    f.waited = share_->waited();
+    f.waited_for_copies = share_->waited_for_copies();
   }
   f.neighbours_mean = mean_neighbours(on_, p_, scene_);
   return f;
