@@ -34,9 +34,18 @@ class Ranks {
   [[nodiscard]] virtual int size() const = 0;
   /// `bytes` bytes of every rank, one rank after the other, to all.
   virtual void gather(const void* mine, std::size_t bytes, void* all) = 0;
-  /// to[r] goes to rank r; from[r], whose size is known, comes from there. Empty ones are no messages.
-  virtual void exchange(const std::vector<std::span<const std::byte>>& to,
-                        const std::vector<std::span<std::byte>>& from) = 0;
+  /// to[r] goes to rank r; from[r], whose size is known, comes from there. Empty ones are no messages. The bytes belong to the
+  /// ranks until finish_exchange() is over; until then nothing but progress() is called.
+  virtual void start_exchange(const std::vector<std::span<const std::byte>>& to,
+                              const std::vector<std::span<std::byte>>& from) = 0;
+  virtual void finish_exchange() = 0;
+  /// Lets the messages that are on their way go on. A rank that computes meanwhile calls it now and then, in the thread that
+  /// has started the exchange.
+  virtual void progress() {}
+  void exchange(const std::vector<std::span<const std::byte>>& to, const std::vector<std::span<std::byte>>& from) {
+    start_exchange(to, from);
+    finish_exchange();
+  }
   /// Replaces n numbers by their sums over all ranks.
   virtual void sum(std::int64_t* numbers, std::size_t n) = 0;
   /// Replaces n bytes by the largest of all ranks.

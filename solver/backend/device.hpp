@@ -26,6 +26,15 @@ class AccessListener {
   /// `flag`: a number on the device; if it is 0 the body is skipped. nullptr: it runs.
   virtual void before(const Access& access, const int* flag) = 0;
   virtual void after(const Access& access, const int* flag) = 0;
+  /// In place of before() where a body can run in two parts. True: neighbours' fields are on their way, and arrive() is called
+  /// before clusters with copies in their lists are visited.
+  virtual bool begin(const Access& access, const int* flag) {
+    before(access, flag);
+    return false;
+  }
+  virtual void arrive() {}
+  /// Lets what is on its way go on, in the thread that has called begin().
+  virtual void progress() {}
 };
 
 /// Every body: `using reads = Fields<…>` of its own particle, `using writes = Fields<…>`.
@@ -144,16 +153,47 @@ class Announcement {
       : listener_(listener), access_(access), flag_(flag) {
     if (listener_ != nullptr) listener_->before(access_, flag_);
   }
+  /// Of a sweep over these lists, which visits its clusters in_parts().
+  Announcement(AccessListener* listener, const Access& access, const int* flag, const ClusterList& list)
+      : listener_(listener), access_(access), flag_(flag), marks_(list.marks) {
+    if (listener_ == nullptr) return;
+    if (marks_ == nullptr) {
+      listener_->before(access_, flag_);
+    } else {
+      is_awaited_ = listener_->begin(access_, flag_);
+    }
+  }
   ~Announcement() {
+    arrive();
     if (listener_ != nullptr) listener_->after(access_, flag_);
   }
   Announcement(const Announcement&) = delete;
   Announcement& operator=(const Announcement&) = delete;
 
+  /// visit(part) for a whole range of clusters; while copies of other ranks' particles are on their way, for those that need
+  /// none, and for the others when they are there.
+  template <class Visit>
+  void in_parts(const Visit& visit) {
+    if (!is_awaited_) return visit(ClusterPart{});
+    visit(ClusterPart{marks_, false});
+    arrive();
+    visit(ClusterPart{marks_, true});
+  }
+  /// For a sweep to call now and then, in the thread that it began in.
+  void progress() const {
+    if (is_awaited_) listener_->progress();
+  }
+
  private:
+  void arrive() {
+    if (std::exchange(is_awaited_, false)) listener_->arrive();
+  }
+
   AccessListener* listener_;
   const Access& access_;
   const int* flag_;
+  const std::uint8_t* marks_ = nullptr;
+  bool is_awaited_ = false;
 };
 
 }  // namespace thalweg

@@ -188,8 +188,8 @@ class Gpu {
                            const Combine& combine, const Then& then) const {
     if (shared == nullptr) return reduce_then(range.count * cluster_size, start, of, combine, then);
     require_particle_body<Of>();
-    const Announcement announced(listener, access_of<Of>, flag_);
-    if (!is_off()) run_with(total_of_members(list, range, start, of, combine), then);
+    Announcement announced(listener, access_of<Of>, flag_);
+    if (!is_off()) run_with(total_of_members(announced, list, range, start, of, combine), then);
   }
 
   /// body(i, team) for a team of threads each. Team::size threads run body together, each the same code; a team has
@@ -244,21 +244,25 @@ class Gpu {
   void sweep(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
              const Body& body) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>, flag_);
-    Runtime::launch(range.count * cluster_size,
-                    SweepThread<Dim, From, Body, NoResult>{list, range, records, metric, body, {}}, flag_);
+    Announcement announced(listener, access_of<Body>, flag_, list);
+    using Thread = SweepThread<Dim, From, Body, NoResult>;
+    const Thread thread{list, range, records, metric, body, {}};
+    announced.in_parts([&](const ClusterPart& part) {
+      Runtime::launch(range.count * cluster_size, PartThread<Thread>{part, range, thread}, flag_);
+    });
   }
   template <int Dim, class From, class Body, class T, class Combine, class Then>
   void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
                   const Body& body, const T& start, const Combine& combine, const Then& then) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>, flag_);
     const SweepThread<Dim, From, Body, T> thread{list, range, records, metric, body, start};
     if (shared == nullptr) {
+      const Announcement announced(listener, access_of<Body>, flag_);
       Runtime::reduce(range.count * cluster_size, start, thread, combine, then, flag_);
-    } else if (!is_off()) {
-      run_with(total_of_members(list, range, start, thread, combine), then);
+      return;
     }
+    Announcement announced(listener, access_of<Body>, flag_, list);
+    if (!is_off()) run_with(total_of_members(announced, list, range, start, thread, combine), then);
   }
 
  private:
@@ -291,13 +295,16 @@ class Gpu {
     return total_of_chunks(chunks, start, combine);
   }
   template <class T, class Of, class Combine>
-  T total_of_members(const ClusterList& list, ClusterRange range, const T& start, const Of& of,
+  T total_of_members(Announcement& announced, const ClusterList& list, ClusterRange range, const T& start, const Of& of,
                      const Combine& combine) const {
     Buffer<T> terms;
     Buffer<T> chunks;
     terms.resize(range.count * cluster_size);
     chunks.resize((list.fluid_count + sum_chunk - 1) / sum_chunk);
-    Runtime::launch(range.count * cluster_size, KeepThread<Of, T>{of, terms.data()}, nullptr);
+    using Thread = KeepThread<Of, T>;
+    announced.in_parts([&](const ClusterPart& part) {
+      Runtime::launch(range.count * cluster_size, PartThread<Thread>{part, range, {of, terms.data()}}, nullptr);
+    });
     Runtime::launch(static_cast<Index>(chunks.size()),
                     FoldClustersThread<T, Combine>{range, start, terms.data(), combine, chunks.data()}, nullptr);
     return total_of_chunks(chunks, start, combine);

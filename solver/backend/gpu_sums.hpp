@@ -10,6 +10,17 @@ namespace thalweg {
 inline constexpr Index sum_chunk = 32;
 static_assert(sum_block % sum_chunk == 0 && sum_chunk % cluster_size == 0);
 
+/// body(n) for the places n of those of a range's clusters, four places a cluster, that belong to a part of it.
+template <class Body>
+struct PartThread {
+  ClusterPart part;
+  ClusterRange range;
+  Body body;
+  HOST_DEVICE void operator()(Index n) const {
+    if (part.has(range[n / cluster_size])) body(n);
+  }
+};
+
 /// Keeps the term of every place.
 template <class Of, class T>
 struct KeepThread {

@@ -163,9 +163,10 @@ struct OpenMp : SharedOnHost {
   void reduce_clusters_then(const ClusterList& list, ClusterRange range, const T& start, const Of& of,
                             const Combine& combine, const Then& then) const {
     require_particle_body<Of>();
-    const Announcement announced(listener, access_of<Of>, flag_);
+    Announcement announced(listener, access_of<Of>, flag_);
     if (is_off()) return;
-    then(total_of_clusters(list, range, start, combine, [&](Index c, T& sum) { sum = combine(sum, of(c)); }));
+    then(
+        total_of_clusters(announced, list, range, start, combine, [&](Index c, T& sum) { sum = combine(sum, of(c)); }));
   }
 
   /// offsets[i] = sum of counts before i, offsets[n] = total, which is returned.
@@ -271,13 +272,17 @@ struct OpenMp : SharedOnHost {
   void sweep(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
              const Body& body) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>, flag_);
+    Announcement announced(listener, access_of<Body>, flag_, list);
     if (is_off()) return;
+    announced.in_parts([&](const ClusterPart& part) {
 #pragma omp parallel for schedule(dynamic, 32) num_threads(threads) if (range.count >= least_parallel_clusters)
-    for (Index n = 0; n < range.count; ++n) {
-      Sweep::template visit<Dim>(list, range[n], records, metric, body,
-                                 [&](Index i, const auto& sum) { body.end(i, sum); });
-    }
+      for (Index n = 0; n < range.count; ++n) {
+        if (n % progress_every == 0 && omp_get_thread_num() == 0) announced.progress();
+        if (!part.has(range[n])) continue;
+        Sweep::template visit<Dim>(list, range[n], records, metric, body,
+                                   [&](Index i, const auto& sum) { body.end(i, sum); });
+      }
+    });
   }
 
   /// The sweep whose end() returns a T; then(start combined with all of them), on the device.
@@ -285,9 +290,9 @@ struct OpenMp : SharedOnHost {
   void sweep_then(const ClusterList& list, ClusterRange range, const From* records, const PairMetric<Dim>& metric,
                   const Body& body, const T& start, const Combine& combine, const Then& then) const {
     require_sweep_body<Body, Dim>();
-    const Announcement announced(listener, access_of<Body>, flag_);
+    Announcement announced(listener, access_of<Body>, flag_, list);
     if (is_off()) return;
-    then(total_of_clusters(list, range, start, combine, [&](Index c, T& sum) {
+    then(total_of_clusters(announced, list, range, start, combine, [&](Index c, T& sum) {
       Sweep::template visit<Dim>(list, c, records, metric, body,
                                  [&](Index i, const auto& of_pairs) { sum = combine(sum, body.end(i, of_pairs)); });
     }));
@@ -304,6 +309,8 @@ struct OpenMp : SharedOnHost {
   /// Particles in a block of a sum. Ranks have whole blocks of the fluid.
   static constexpr Index block = sum_block;
   static constexpr Index clusters_in_block = block / cluster_size;
+  /// While messages are on their way they are looked after every so many clusters, which is some hundred microseconds.
+  static constexpr Index progress_every = 256;
 
   template <class T, class Of, class Combine>
   BlockTree<T, Combine> block_tree(Index n, const T& start, const Of& of, const Combine& combine,
@@ -311,44 +318,53 @@ struct OpenMp : SharedOnHost {
     require_particle_body<Of>();
     const Announcement announced(listener, access_of<Of>, nullptr);
     const Index blocks = (n + block - 1) / block;
-    return tree_of_blocks(first, blocks, start, combine, n >= least_parallel, [&](Index b, T& sum) {
+    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
+    for_each_term(blocks, n >= least_parallel, [&](Index b) {
       const Index end = (b + 1) * block < n ? (b + 1) * block : n;
+      T sum = start;
       for (Index i = b * block; i < end; ++i) sum = combine(sum, of(i));
+      partial[b].sum = sum;
     });
+    return tree_of_blocks(first, partial, combine);
   }
 
   /// add(c, sum) for the clusters of a range, in blocks of the fluid's particles, of whatever clusters the range has in
-  /// each; combined over all ranks.
+  /// each; combined over all ranks. A block waits for copies if one of its clusters needs some.
   template <class T, class Combine, class Add>
-  T total_of_clusters(const ClusterList& list, ClusterRange range, const T& start, const Combine& combine,
-                      const Add& add) const {
+  T total_of_clusters(Announcement& announced, const ClusterList& list, ClusterRange range, const T& start,
+                      const Combine& combine, const Add& add) const {
     const Index blocks = (list.fluid_clusters + clusters_in_block - 1) / clusters_in_block;
     const auto first_of = [&](Index b) {
       const Index c = b * clusters_in_block;
       if (range.clusters == nullptr) return c < range.count ? c : range.count;
       return static_cast<Index>(std::lower_bound(range.clusters, range.clusters + range.count, c) - range.clusters);
     };
-    const bool parallel = range.count >= least_parallel_clusters;
-    return total(tree_of_blocks(first_block(), blocks, start, combine, parallel,
-                                [&](Index b, T& sum) {
-                                  const Index end = first_of(b + 1);
-                                  for (Index n = first_of(b); n < end; ++n) add(range[n], sum);
-                                }),
-                 start, combine);
+    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
+    announced.in_parts([&](const ClusterPart& part) {
+      for_each_term(blocks, range.count >= least_parallel_clusters, [&](Index b) {
+        if (b * clusters_in_block % progress_every == 0 && omp_get_thread_num() == 0) announced.progress();
+        const Index from = first_of(b);
+        const Index end = first_of(b + 1);
+        if (!part.has(range, from, end)) return;
+        T sum = start;
+        for (Index n = from; n < end; ++n) add(range[n], sum);
+        partial[b].sum = sum;
+      });
+    });
+    return total(tree_of_blocks(first_block(), partial, combine), start, combine);
   }
 
-  template <class T, class Combine, class Add>
-  BlockTree<T, Combine> tree_of_blocks(std::int64_t first, Index blocks, const T& start, const Combine& combine,
-                                       bool parallel, const Add& add) const {
-    std::vector<Partial<T>> partial(blocks, Partial<T>{start});
+  /// term(b) for every block of a sum.
+  template <class Term>
+  void for_each_term(Index blocks, bool parallel, const Term& term) const {
 #pragma omp parallel for schedule(dynamic, 4) num_threads(threads) if (parallel)
-    for (Index b = 0; b < blocks; ++b) {
-      T sum = start;
-      add(b, sum);
-      partial[b].sum = sum;
-    }
+    for (Index b = 0; b < blocks; ++b) term(b);
+  }
+  template <class T, class Combine>
+  static BlockTree<T, Combine> tree_of_blocks(std::int64_t first, const std::vector<Partial<T>>& partial,
+                                              const Combine& combine) {
     BlockTree<T, Combine> tree(combine);
-    for (Index b = 0; b < blocks; ++b) tree.add(first + b, partial[b].sum);
+    for (const Partial<T>& of_block : partial) tree.add(first++, of_block.sum);
     return tree;
   }
 

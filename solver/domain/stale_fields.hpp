@@ -9,17 +9,23 @@ namespace thalweg {
 
 /// Keeps account of the fields of a halo: copies of particles that another machine owns. A field that a body has
 /// written is stale there until it is exchanged; before a body reads it of neighbours it has to be fresh. What is to be
-/// exchanged when follows from the declarations of the bodies alone; a body that may be skipped counts as run. On one machine there is no halo and no listener.
+/// exchanged when follows from the declarations of the bodies alone; a body that may be skipped counts as run. On one machine
+/// there is no halo and no listener.
 class StaleFields : public AccessListener {
  public:
-  void before(const Access& access, const int*) final {
+  void before(const Access& access, const int* flag) final {
+    if (begin(access, flag)) arrive();
+  }
+
+  bool begin(const Access& access, const int*) final {
     std::vector<const Field*> wanted;
     for (const Field* field : access.neighbours) {
       if (is_stale(field)) wanted.push_back(field);
     }
-    if (wanted.empty()) return;
-    exchange(wanted);
+    if (wanted.empty()) return false;
+    start(wanted);
     for (const Field* field : wanted) std::erase(stale_, field);
+    return true;
   }
 
   void after(const Access& access, const int*) final {
@@ -29,8 +35,8 @@ class StaleFields : public AccessListener {
   }
 
  protected:
-  /// Brings these fields of the halo up to date.
-  virtual void exchange(const std::vector<const Field*>& fields) = 0;
+  /// Starts to bring these fields of the halo up to date; arrive() ends it.
+  virtual void start(const std::vector<const Field*>& fields) = 0;
   /// All fields of the copies are as those they are copies of.
   void forget_all() { stale_.clear(); }
 

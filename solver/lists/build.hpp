@@ -24,17 +24,19 @@ Index make_entries(Device& on, Particles<Device>& p, const Arrays& arrays, const
   }
 }
 
-/// A byte a particle for its phase, where a record is a line of the cache.
+/// A byte a particle for what it adds to the marks of clusters that reach it, where a record is a line of the cache.
 template <class Device>
 void mark_phases(Device& on, const Particles<Device>& p, typename Device::template Buffer<std::uint8_t>& phase) {
   phase.resize(p.with_copies() + filter_overrun);
   const Record* records = p.record.data();
   std::uint8_t* to = phase.data();
+  const Index own = p.count;
   on.for_each(p.with_copies(), declare<Reads<field::matter>, Writes<>>([=] HOST_DEVICE(Index i) {
                 const Record& r = records[i];
-                to[i] = static_cast<std::uint8_t>(is_sediment(r) ? reaches_sediment
-                                                  : is_water(r)  ? reaches_water
-                                                                 : reaches_walls);
+                to[i] = static_cast<std::uint8_t>((is_sediment(r) ? reaches_sediment
+                                                   : is_water(r)  ? reaches_water
+                                                                  : reaches_walls) |
+                                                  (i < own ? nothing : reaches_copies));
               }));
 }
 
@@ -76,17 +78,16 @@ void build_lists(Device& on, Particles<Device>& p, const Scene<Dim>& scene) {
       on, p, scene);
   p.fluid_clusters = (p.fluid_count + cluster_size - 1) / cluster_size;
   p.clusters = p.fluid_clusters + (p.count - p.fluid_count + cluster_size - 1) / cluster_size;
-  typename Device::template Buffer<std::uint8_t> marks;
   typename Device::template Buffer<std::uint8_t> phase;
-  marks.resize(p.clusters);
-  const bool asks_for_phases = scene.has_sediment || scene.needs_near_walls;
+  p.cluster_marks.resize(p.clusters);
+  const bool asks_for_phases = scene.has_sediment || scene.needs_near_walls || p.copies.count() > 0;
   if (asks_for_phases) mark_phases(on, p, phase);
-  const ClusterMarks asked{asks_for_phases ? phase.data() : nullptr, marks.data()};
+  const ClusterMarks asked{asks_for_phases ? phase.data() : nullptr, p.cluster_marks.data()};
   const Index total = make_entries<Dim>(on, p, arrays, asked);
   const Index none = p.with_copies();
   Index* entries = p.list_entries.data();
   on.for_each(2 * list_prefetch, declare<Reads<>, Writes<>>([=] HOST_DEVICE(Index e) { entries[total + e] = none; }));
-  choose_clusters(on, p, scene, marks.data());
+  choose_clusters(on, p, scene, p.cluster_marks.data());
   fill_drift_blocks(on, p, arrays.cells.table);
 }
 

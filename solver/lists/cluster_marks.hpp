@@ -6,8 +6,15 @@
 
 namespace thalweg::neighbours {
 
-/// Marks of a cluster: the phases in reach of it, and sediment among its members.
-enum Marks : std::uint8_t { nothing = 0, reaches_sediment = 1, reaches_water = 2, has_sediment = 4, reaches_walls = 8 };
+/// Marks of a cluster: the phases in reach of it, sediment among its members, and copies of other ranks' particles in reach.
+enum Marks : std::uint8_t {
+  nothing = 0,
+  reaches_sediment = 1,
+  reaches_water = 2,
+  has_sediment = 4,
+  reaches_walls = 8,
+  reaches_copies = copies_in_reach
+};
 
 /// The marks of all clusters, and how they are found.
 struct ClusterMarks {

@@ -110,9 +110,20 @@ class Share final : public SharedScene, public StaleFields {
     });
     p.describe(scene, arrays);
     forget_all();
-    exchange(all);
+    start(all);
+    arrive();
     on.listener = this;
   }
+
+  void arrive() override {
+    count_waiting([&] { ranks.finish_exchange(); });
+    unheard([&] {
+      for (std::size_t r = 0; r < copy_.size(); ++r) {
+        if (copy_[r].size() > 0) unpack(*on_, *p_, *scene_, on_their_way_, incoming_[r].data(), copy_[r], beside_);
+      }
+    });
+  }
+  void progress() override { ranks.progress(); }
 
   void merge(const DriftBlocks& blocks, DriftBox* of_block) override { blocks_.merge(ranks, blocks, of_block); }
 
@@ -125,29 +136,22 @@ class Share final : public SharedScene, public StaleFields {
   [[nodiscard]] Index copies() const { return p_ == nullptr ? 0 : p_->copies.count(); }
 
  protected:
-  void exchange(const std::vector<const Field*>& fields) override {
-    Device& on = *on_;
-    const int* const flag = on.skip_unless(nullptr);  // what is stale was written, even if what follows is skipped
-    AccessListener* const listener = std::exchange(on.listener, nullptr);
+  void start(const std::vector<const Field*>& fields) override {
+    on_their_way_ = fields;
     const auto n = copies_of_.size();
     const std::size_t of_one = halo_bytes(*p_, *scene_, fields, beside_);
     std::vector<std::span<const std::byte>> to(n);
     std::vector<std::span<std::byte>> from(n);
-    for (std::size_t r = 0; r < n; ++r) {
-      outgoing_[r].resize(copies_of_[r].size() * of_one);
-      incoming_[r].resize(copy_[r].size() * of_one);
-      if (copies_of_[r].size() > 0) pack(on, *p_, *scene_, fields, copies_of_[r], beside_, outgoing_[r].data());
-      to[r] = {outgoing_[r].data(), outgoing_[r].size()};
-      from[r] = {incoming_[r].data(), incoming_[r].size()};
-    }
-    waited_for_copies_ -= ranks.waited();
-    ranks.exchange(to, from);
-    waited_for_copies_ += ranks.waited();
-    for (std::size_t r = 0; r < n; ++r) {
-      if (copy_[r].size() > 0) unpack(on, *p_, *scene_, fields, incoming_[r].data(), copy_[r], beside_);
-    }
-    on.listener = listener;
-    on.skip_unless(flag);
+    unheard([&] {
+      for (std::size_t r = 0; r < n; ++r) {
+        outgoing_[r].resize(copies_of_[r].size() * of_one);
+        incoming_[r].resize(copy_[r].size() * of_one);
+        if (copies_of_[r].size() > 0) pack(*on_, *p_, *scene_, fields, copies_of_[r], beside_, outgoing_[r].data());
+        to[r] = {outgoing_[r].data(), outgoing_[r].size()};
+        from[r] = {incoming_[r].data(), incoming_[r].size()};
+      }
+    });
+    count_waiting([&] { ranks.start_exchange(to, from); });
   }
 
  private:
@@ -158,6 +162,22 @@ class Share final : public SharedScene, public StaleFields {
 
   [[nodiscard]] int rank() const { return ranks.rank(); }
   [[nodiscard]] int size() const { return ranks.size(); }
+
+  /// what() without the listener, and run even if what follows is skipped: what is stale was written.
+  template <class What>
+  void unheard(const What& what) {
+    const int* const flag = on_->skip_unless(nullptr);
+    AccessListener* const listener = std::exchange(on_->listener, nullptr);
+    what();
+    on_->listener = listener;
+    on_->skip_unless(flag);
+  }
+  template <class What>
+  void count_waiting(const What& what) {
+    waited_for_copies_ -= ranks.waited();
+    what();
+    waited_for_copies_ += ranks.waited();
+  }
 
   /// Gives the record and the arrays of copies room for n particles, with the record of zero volume behind them.
   void set_room(Device& on, Particles<Device>& p, const Scene<Dim>& scene, Index n) {
@@ -179,6 +199,7 @@ class Share final : public SharedScene, public StaleFields {
   std::vector<typename Device::template Buffer<Index>> copy_;       // this rank's copies of each other rank's
   std::vector<typename Device::Message> outgoing_;
   std::vector<typename Device::Message> incoming_;
+  std::vector<const Field*> on_their_way_;  // the fields of the messages between start() and arrive()
   neighbours::BlockExchange<Dim> blocks_;
   FieldsBeside beside_;
   Pace pace_;

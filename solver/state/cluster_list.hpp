@@ -23,6 +23,9 @@ struct FluidCount {
   operator Index() const { return count; }  // NOLINT(google-explicit-constructor): a count like any other
 };
 
+/// The bit of a cluster's mark that says that its list holds copies of other ranks' particles.
+inline constexpr std::uint8_t copies_in_reach = 16;
+
 /// The neighbour lists as a sweep needs them; views, valid until the next rebuild.
 /// Cluster c < fluid_clusters holds particles 4c … of the fluid [0, fluid_count), the others those of the walls
 /// [fluid_count, count). entries[begin[c] … begin[c+1]) are its neighbours, itself included; `none` pads them.
@@ -33,7 +36,8 @@ struct ClusterList {
   Index clusters;
   Index fluid_count;
   Index count;
-  Index none;  // the record of zero volume behind all particles
+  Index none;                 // the record of zero volume behind all particles
+  const std::uint8_t* marks;  // of every cluster (copies_in_reach); nullptr: no list holds copies
 
   HOST_DEVICE Index first(Index c) const {
     return c < fluid_clusters ? c * cluster_size : fluid_count + (c - fluid_clusters) * cluster_size;
@@ -55,6 +59,23 @@ struct ClusterRange {
   Index count;
 
   HOST_DEVICE Index operator[](Index i) const { return clusters == nullptr ? i : clusters[i]; }
+};
+
+/// A part of a range: the clusters with copies of other ranks' particles in their lists, or those without.
+struct ClusterPart {
+  const std::uint8_t* marks = nullptr;  // nullptr: the whole range
+  bool with_copies = false;
+
+  HOST_DEVICE bool has(Index cluster) const {
+    return marks == nullptr || ((marks[cluster] & copies_in_reach) != 0) == with_copies;
+  }
+  /// The same of the clusters [from, to) of a range, which are visited together: with copies if one of them has some.
+  [[nodiscard]] bool has(const ClusterRange& range, Index from, Index to) const {
+    if (marks == nullptr) return true;
+    std::uint8_t found = 0;
+    for (Index n = from; n < to; ++n) found |= marks[range[n]];
+    return ((found & copies_in_reach) != 0) == with_copies;
+  }
 };
 
 }  // namespace thalweg

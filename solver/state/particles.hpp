@@ -60,6 +60,7 @@ struct ParticleCore {
   Buffer<DriftBox> drift_of_block;
   Buffer<Index> list_begin;
   Buffer<Index> list_entries;
+  Buffer<std::uint8_t> cluster_marks;     // lists/cluster_marks.hpp
   Buffer<Index> clusters_with_sediment;   // fluid clusters with sediment in or within reach
   Buffer<Index> clusters_of_walls;        // wall clusters with fluid in reach
   Buffer<Index> clusters_of_water;        // fluid clusters that are not in clusters_with_sediment
@@ -97,7 +98,10 @@ struct ParticleCore {
   [[nodiscard]] float* dissipations() { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] const float* dissipations() const { return dissipation.size() == 0 ? nullptr : dissipation.data(); }
   [[nodiscard]] ClusterList list() const {
-    return {list_begin.data(), list_entries.data(), fluid_clusters, clusters, fluid_count, count, with_copies()};
+    return {list_begin.data(), list_entries.data(),
+            fluid_clusters,    clusters,
+            fluid_count,       count,
+            with_copies(),     copies.count() > 0 ? cluster_marks.data() : nullptr};
   }
   [[nodiscard]] bool has_lists() const { return list_begin.size() != 0; }
   [[nodiscard]] FluidCount fluid() const { return {fluid_count}; }

@@ -43,14 +43,20 @@ class ThreadRanks {
       }
       all_.barrier_.arrive_and_wait();
     }
-    void exchange(const std::vector<std::span<const std::byte>>& to,
-                  const std::vector<std::span<std::byte>>& from) override {
-      show(&to);
-      for (std::size_t r = 0; r < from.size(); ++r) {
+    /// Messages arrive as late as they may.
+    void start_exchange(const std::vector<std::span<const std::byte>>& to,
+                        const std::vector<std::span<std::byte>>& from) override {
+      to_ = to;
+      from_ = from;
+      for (const auto& bytes : from) std::fill(bytes.begin(), bytes.end(), std::byte{0xFF});
+    }
+    void finish_exchange() override {
+      show(&to_);
+      for (std::size_t r = 0; r < from_.size(); ++r) {
         const auto& theirs = *static_cast<const std::vector<std::span<const std::byte>>*>(all_.data_[r]);
         const auto& message = theirs[static_cast<std::size_t>(rank_)];
-        if (message.size() != from[r].size()) std::abort();
-        std::copy(message.begin(), message.end(), from[r].begin());
+        if (message.size() != from_[r].size()) std::abort();
+        std::copy(message.begin(), message.end(), from_[r].begin());
       }
       all_.barrier_.arrive_and_wait();
     }
@@ -78,6 +84,8 @@ class ThreadRanks {
     }
     ThreadRanks& all_;
     int rank_;
+    std::vector<std::span<const std::byte>> to_;
+    std::vector<std::span<std::byte>> from_;
   };
 
   int n_;

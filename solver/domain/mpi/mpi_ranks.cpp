@@ -45,8 +45,8 @@ class MpiRanks final : public Ranks {
     wait_for(&request, 1);
   }
 
-  void exchange(const std::vector<std::span<const std::byte>>& to,
-                const std::vector<std::span<std::byte>>& from) override {
+  void start_exchange(const std::vector<std::span<const std::byte>>& to,
+                      const std::vector<std::span<std::byte>>& from) override {
     const Waiting waiting(waited_);
     requests_.clear();
     for (int r = 0; r < size_; ++r) {
@@ -67,6 +67,10 @@ class MpiRanks final : public Ranks {
         MPI_Isend(out.data() + at, piece(out.size(), at), MPI_BYTE, r, 0, MPI_COMM_WORLD, &requests_.emplace_back());
       }
     }
+  }
+  void progress() override { all_done(requests_.data(), static_cast<int>(requests_.size())); }
+  void finish_exchange() override {
+    const Waiting waiting(waited_);
     wait_for(requests_.data(), static_cast<int>(requests_.size()));
   }
 
@@ -94,11 +98,14 @@ class MpiRanks final : public Ranks {
   static void wait_for(MPI_Request* requests, int n) {
     constexpr int circles = 2000;  // half a millisecond
     constexpr std::chrono::microseconds nap(50);
-    int done = 0;
-    for (int turn = 0; done == 0; ++turn) {
-      MPI_Testall(n, requests, &done, MPI_STATUSES_IGNORE);
-      if (done == 0 && turn > circles) std::this_thread::sleep_for(nap);
+    for (int turn = 0; !all_done(requests, n); ++turn) {
+      if (turn > circles) std::this_thread::sleep_for(nap);
     }
+  }
+  static bool all_done(MPI_Request* requests, int n) {
+    int done = 0;
+    MPI_Testall(n, requests, &done, MPI_STATUSES_IGNORE);
+    return done != 0;
   }
   static int piece(std::size_t size, std::size_t at) { return static_cast<int>(std::min(most_bytes, size - at)); }
 

@@ -212,7 +212,7 @@ TYPED_TEST(PopulationOn, AHaloCarriesTheDeclaredFields) {
 /// Notes what a domain of several machines would exchange.
 struct Exchanges : StaleFields {
   std::vector<std::set<std::string>> done;
-  void exchange(const std::vector<const Field*>& fields) override {
+  void start(const std::vector<const Field*>& fields) override {
     std::set<std::string>& names = done.emplace_back();
     for (const Field* field : fields) names.insert(field->name);
   }
