@@ -140,9 +140,9 @@ GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles, int ra
   GpuMemory memory;
   memory.particles = n.all;
   memory.entries = entries_of(scene, particles);
-  // The beginnings of the lists, and the nine lists of clusters, which have room for all.
+  // The beginnings of the lists, the nine lists of clusters, which have room for all, and the clusters' marks.
   const double clusters = n.all / cluster_size;
-  const double of_clusters = clusters * (1 + 9) * sizeof(Index);
+  const double of_clusters = clusters * ((1 + 9) * sizeof(Index) + 1);
   const double lists = memory.entries * sizeof(Index) * 17 / 16 + of_clusters;  // DeviceBuffer::resize_anew
   const double drift = n.cells * (sizeof(DriftCell) + sizeof(DriftBox) * (1 + std::pow(0.5, Dim)));
   double lattices = 0;
@@ -152,7 +152,7 @@ GpuMemory estimate(const Scene<Dim>& scene, const ParticleSet& particles, int ra
     }
   });
   const double building = n.all * sizeof(neighbours::PlaceQuad) +
-                          clusters * (neighbours::kept_words<Dim> * sizeof(std::uint32_t) + sizeof(Index) + 1) + n.all +
+                          clusters * (neighbours::kept_words<Dim> * sizeof(std::uint32_t) + sizeof(Index)) + n.all +
                           n.cells * 4 * sizeof(Index);
   const double making_lists = std::max(n.all * sorting_bytes(largest), building);
   memory.needed = n.all * (arrays + shown.bytes) + lists + drift + making_lists;
