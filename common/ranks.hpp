@@ -56,6 +56,8 @@ class Ranks {
   /// Number of the ranks on this machine, and this one's among them.
   [[nodiscard]] virtual int on_this_machine() const = 0;
   [[nodiscard]] virtual int place_on_this_machine() const = 0;
+  /// True if exchange() takes addresses of GPUs' memory, as far as MPI knows.
+  [[nodiscard]] virtual bool takes_device_memory() const { return false; }
   /// Ends the run on all ranks, now; for a rank that cannot go on.
   [[noreturn]] virtual void abandon() = 0;
 };

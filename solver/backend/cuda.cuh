@@ -137,6 +137,16 @@ struct CudaRuntime {
     cudaFreeAsync(p, launching ? stream() : memory().beside);
   }
 
+  /// Not from the pool, whose memory other processes cannot map.
+  static void* allocate_message(std::size_t bytes) {
+    void* p = nullptr;
+    check_cuda(cudaMalloc(&p, bytes), "allocating memory");
+    return p;
+  }
+  static void release_message(void* p) noexcept {
+    if (p != nullptr) cudaFree(p);
+  }
+
   /// Page-locked memory.
   static void* allocate_on_host(std::size_t bytes) {
     void* p = nullptr;

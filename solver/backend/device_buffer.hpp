@@ -65,33 +65,43 @@ class DeviceBuffer {
   std::size_t capacity_ = 0;
 };
 
-/// Bytes in the host's memory that a device copies quickly. Contents are lost when it grows.
+/// The bytes of a message between ranks, where the device writes and reads them: in page-locked memory of the host, or in the
+/// device's own for ranks that take them from there. Contents are lost when it grows.
 template <class Runtime>
-class PinnedBytes {
+class MessageBytes {
  public:
-  PinnedBytes() = default;
-  PinnedBytes(const PinnedBytes&) = delete;
-  PinnedBytes& operator=(const PinnedBytes&) = delete;
-  PinnedBytes(PinnedBytes&& b) noexcept { swap(b); }
-  PinnedBytes& operator=(PinnedBytes&& b) noexcept {
+  MessageBytes() = default;
+  explicit MessageBytes(bool on_device) : on_device_(on_device) {}
+  MessageBytes(const MessageBytes&) = delete;
+  MessageBytes& operator=(const MessageBytes&) = delete;
+  MessageBytes(MessageBytes&& b) noexcept { swap(b); }
+  MessageBytes& operator=(MessageBytes&& b) noexcept {
     swap(b);
     return *this;
   }
-  ~PinnedBytes() { Runtime::release_on_host(data_); }
+  ~MessageBytes() {
+    if (on_device_) {
+      Runtime::release_message(data_);
+    } else {
+      Runtime::release_on_host(data_);
+    }
+  }
 
   void resize(std::size_t n) {
     if (n > capacity_) {
-      PinnedBytes().swap(*this);
+      if (data_ != nullptr) Runtime::wait();  // the device may still read it
+      MessageBytes(on_device_).swap(*this);
       const std::size_t room = n + n / 4;
-      data_ = static_cast<std::byte*>(Runtime::allocate_on_host(room));
+      data_ = static_cast<std::byte*>(on_device_ ? Runtime::allocate_message(room) : Runtime::allocate_on_host(room));
       capacity_ = room;
     }
     size_ = n;
   }
-  void swap(PinnedBytes& b) noexcept {
+  void swap(MessageBytes& b) noexcept {
     std::swap(data_, b.data_);
     std::swap(size_, b.size_);
     std::swap(capacity_, b.capacity_);
+    std::swap(on_device_, b.on_device_);
   }
 
   [[nodiscard]] std::byte* data() { return data_; }
@@ -102,6 +112,7 @@ class PinnedBytes {
   std::byte* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
+  bool on_device_ = false;
 };
 
 }  // namespace thalweg

@@ -21,7 +21,8 @@
 // but the device (tests/solver/guarded_runtime.hpp). A Runtime offers
 //
 //   allocate, release, copy_to_device, copy_to_host, copy_on_device     memory, in bytes
-//   allocate_on_host, release_on_host     memory of the host that copies to and from the device are quick with
+//   allocate_on_host, release_on_host     memory of the host that the device reaches, too
+//   allocate_message, release_message     memory of the device that other processes' devices can be sent to and from
 //   send                                  a few bytes to the device, without waiting
 //   Mark, copy_to_host_after(mark, ...)   in another thread, beside what is asked for after the mark
 //   launch, launch_teams, reduce          what Gpu hands on; they heed a flag on the device
@@ -68,16 +69,7 @@ class Gpu {
   static HostBuffer<T> download(const Buffer<T>& buffer) {
     return download(buffer, 0, buffer.size());
   }
-  using Message = PinnedBytes<Runtime>;
-  template <class T>
-  static void download_to(const Buffer<T>& buffer, std::byte* message) {
-    Runtime::copy_to_host(message, buffer.data(), buffer.size() * sizeof(T));
-  }
-  template <class T>
-  static void upload_from(const std::byte* message, std::size_t n, Buffer<T>& to) {
-    to.resize(n);
-    Runtime::copy_to_device(to.data(), message, n * sizeof(T));
-  }
+  using Message = MessageBytes<Runtime>;
   template <class T>
   static void write(const T& number, T* to) {
     static_assert(sizeof(T) <= 512 && std::is_trivially_copyable_v<T>);

@@ -71,18 +71,8 @@ struct OpenMp : SharedOnHost {
     return buffer;
   }
 
-  /// A message between ranks.
-  using Message = Bytes;
-  /// Copies a buffer's numbers into a message, and back.
-  template <class T>
-  static void download_to(const Buffer<T>& buffer, std::byte* message) {
-    std::ranges::copy(std::as_bytes(std::span(buffer)), message);
-  }
-  template <class T>
-  static void upload_from(const std::byte* message, std::size_t n, Buffer<T>& to) {
-    to.resize(n);
-    std::ranges::copy(std::span(message, n * sizeof(T)), std::as_writable_bytes(std::span(to)).begin());
-  }
+  /// A message between ranks, where the device and the ranks both reach it.
+  using Message = HostBuffer<std::byte>;
 
   /// Writes one number on the device.
   template <class T>

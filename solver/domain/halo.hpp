@@ -12,7 +12,7 @@
 #include "solver/state/scene.hpp"
 
 // Packing of fields, for copies of particles on another machine. The parts of a message follow from the declared arrays
-// (`halo`) and from the quads of the record; they go by way of the host.
+// (`halo`) and from the quads of the record. A message lies where the device and the ranks both reach it (Device::Message).
 namespace thalweg {
 
 /// Particle pass: gathers entries, or quads of records.
@@ -78,27 +78,33 @@ void for_each_halo_part(Particles<Device>& p, const Scene<Dim>& scene, const std
   }
 }
 
-/// Bytes of a particle in such a message.
+/// Bytes of a part of a message. Parts begin at multiples of a quad, so that a device can load their numbers.
+template <class T>
+std::size_t part_bytes(std::size_t n) {
+  constexpr std::size_t unit = sizeof(PackedQuad);
+  return (n * sizeof(T) + unit - 1) / unit * unit;
+}
+
+/// Bytes of a message with these fields of n particles.
 template <int Dim, class Device>
 std::size_t halo_bytes(Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
-                       const FieldsBeside& beside) {
+                       const FieldsBeside& beside, std::size_t n) {
   std::size_t bytes = 0;
-  for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t) { bytes += sizeof(*entries); });
+  for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t) {
+    bytes += part_bytes<std::remove_cvref_t<decltype(*entries)>>(n);
+  });
   return bytes;
 }
 
-/// Packs these fields of the particles `of` into a message, halo_bytes() for each.
+/// Packs these fields of the particles `of` into a message of halo_bytes(). The device need not be done with it.
 template <int Dim, class Device>
 void pack(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std::vector<const Field*>& fields,
           const typename Device::template Buffer<Index>& of, const FieldsBeside& beside, std::byte* message) {
   const auto n = static_cast<Index>(of.size());
   for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t stride) {
     using T = std::remove_cvref_t<decltype(*entries)>;
-    typename Device::template Buffer<T> packed;
-    packed.resize(n);
-    on.for_each(n, PackPass<T>{entries, stride, of.data(), packed.data()});
-    on.download_to(packed, message);
-    message += n * sizeof(T);
+    on.for_each(n, PackPass<T>{entries, stride, of.data(), reinterpret_cast<T*>(message)});
+    message += part_bytes<T>(n);
   });
 }
 
@@ -109,10 +115,8 @@ void unpack(Device& on, Particles<Device>& p, const Scene<Dim>& scene, const std
   const auto n = static_cast<Index>(of.size());
   for_each_halo_part(p, scene, fields, beside, [&](auto* entries, std::size_t stride) {
     using T = std::remove_cvref_t<decltype(*entries)>;
-    typename Device::template Buffer<T> received;
-    on.upload_from(message, n, received);
-    message += n * sizeof(T);
-    on.for_each(n, UnpackPass<T>{received.data(), of.data(), stride, entries});
+    on.for_each(n, UnpackPass<T>{reinterpret_cast<const T*>(message), of.data(), stride, entries});
+    message += part_bytes<T>(n);
   });
 }
 

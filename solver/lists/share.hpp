@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/backend/ranks.hpp"
+#include "solver/domain/device_messages.hpp"
 #include "solver/domain/halo.hpp"
 #include "solver/domain/stale_fields.hpp"
 #include "solver/lists/block_exchange.hpp"
@@ -29,6 +30,16 @@ class Share final : public SharedScene, public StaleFields {
     outgoing_.resize(n);
     incoming_.resize(n);
   }
+
+  /// Messages lie in the devices' memory where they arrive there, else where the host reaches them.
+  void choose_messages(Device& on) {
+    if constexpr (!Device::is_host) {
+      on_devices_ = messages_go_between_devices(on, ranks);
+      for (auto& message : outgoing_) message = typename Device::Message(on_devices_);
+      for (auto& message : incoming_) message = typename Device::Message(on_devices_);
+    }
+  }
+  [[nodiscard]] bool sends_from_devices() const { return on_devices_; }
 
   void set_beside(FieldsBeside where) { beside_ = std::move(where); }
 
@@ -139,18 +150,18 @@ class Share final : public SharedScene, public StaleFields {
   void start(const std::vector<const Field*>& fields) override {
     on_their_way_ = fields;
     const auto n = copies_of_.size();
-    const std::size_t of_one = halo_bytes(*p_, *scene_, fields, beside_);
     std::vector<std::span<const std::byte>> to(n);
     std::vector<std::span<std::byte>> from(n);
     unheard([&] {
       for (std::size_t r = 0; r < n; ++r) {
-        outgoing_[r].resize(copies_of_[r].size() * of_one);
-        incoming_[r].resize(copy_[r].size() * of_one);
+        outgoing_[r].resize(halo_bytes(*p_, *scene_, fields, beside_, copies_of_[r].size()));
+        incoming_[r].resize(halo_bytes(*p_, *scene_, fields, beside_, copy_[r].size()));
         if (copies_of_[r].size() > 0) pack(*on_, *p_, *scene_, fields, copies_of_[r], beside_, outgoing_[r].data());
         to[r] = {outgoing_[r].data(), outgoing_[r].size()};
         from[r] = {incoming_[r].data(), incoming_[r].size()};
       }
     });
+    on_->finish();  // the ranks may take the messages, and write over those that came before
     count_waiting([&] { ranks.start_exchange(to, from); });
   }
 
@@ -201,6 +212,7 @@ class Share final : public SharedScene, public StaleFields {
   std::vector<typename Device::Message> incoming_;
   std::vector<const Field*> on_their_way_;  // the fields of the messages between start() and arrive()
   neighbours::BlockExchange<Dim> blocks_;
+  bool on_devices_ = false;
   FieldsBeside beside_;
   Pace pace_;
   double waited_before_;

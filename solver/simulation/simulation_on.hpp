@@ -80,6 +80,7 @@ SimulationOn<Dim, OnDevice>::SimulationOn(OnDevice device, std::string name, con
     : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
   if (ranks != nullptr) share_ = std::make_unique<Share<Dim, OnDevice>>(*ranks);
   on_.shared = share_.get();
+  if (share_ != nullptr) share_->choose_messages(on_);
   if (profile) timing_.wait_with([this] { on_.finish(); });
   if (share_ != nullptr) share_->first_block = first_block;
   load_particles(on_, p_, scene_, from);
@@ -156,6 +157,9 @@ SimulationFacts SimulationOn<Dim, OnDevice>::facts() {
   f.list_entries_per_particle = double(p_.list_entries.size()) / n;
   f.bytes_per_particle = double(bytes_of(p_, scene_, work_)) / n;
   if (share_ != nullptr) {
+    if (!OnDevice::is_host && share_->ranks.size() > 1) {
+      f.device += share_->sends_from_devices() ? ", messages from its memory" : ", messages by way of the host";
+    }
     f.copies_per_particle = double(share_->copies()) / n;
     f.imbalance = share_->imbalance();
     f.waited = share_->waited();

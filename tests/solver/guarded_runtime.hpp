@@ -118,6 +118,8 @@ struct GuardedRuntime {
     arena().give_back(found->second.begin, found->second.bytes);
     blocks().erase(found);
   }
+  static void* allocate_message(std::size_t bytes) { return allocate(bytes); }
+  static void release_message(void* p) noexcept { release(p); }
   static void* allocate_on_host(std::size_t bytes) { return ::operator new(bytes); }
   static void release_on_host(void* p) noexcept { ::operator delete(p); }
   static void copy_to_device(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }

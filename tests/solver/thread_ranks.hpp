@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <functional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/ranks.hpp"
@@ -14,7 +15,12 @@ namespace thalweg::test {
 /// Ranks that are threads of the test.
 class ThreadRanks {
  public:
-  explicit ThreadRanks(int n) : n_(n), barrier_(n), data_(static_cast<std::size_t>(n)) {}
+  /// Copies between devices.
+  using Copy = std::function<void(void* to, const void* from, std::size_t bytes)>;
+
+  /// With `between_devices` messages may lie in a device's memory.
+  explicit ThreadRanks(int n, Copy between_devices = {})
+      : n_(n), between_devices_(std::move(between_devices)), barrier_(n), data_(static_cast<std::size_t>(n)) {}
 
   /// Runs what(ranks) on all ranks at once.
   void run(const std::function<void(Ranks&)>& what) {
@@ -48,7 +54,10 @@ class ThreadRanks {
                         const std::vector<std::span<std::byte>>& from) override {
       to_ = to;
       from_ = from;
-      for (const auto& bytes : from) std::fill(bytes.begin(), bytes.end(), std::byte{0xFF});
+      for (const auto& bytes : from) {
+        const Bytes nothing(bytes.size(), std::byte{0xFF});
+        all_.copy(bytes, nothing);
+      }
     }
     void finish_exchange() override {
       show(&to_);
@@ -56,7 +65,7 @@ class ThreadRanks {
         const auto& theirs = *static_cast<const std::vector<std::span<const std::byte>>*>(all_.data_[r]);
         const auto& message = theirs[static_cast<std::size_t>(rank_)];
         if (message.size() != from_[r].size()) std::abort();
-        std::copy(message.begin(), message.end(), from_[r].begin());
+        all_.copy(from_[r], message);
       }
       all_.barrier_.arrive_and_wait();
     }
@@ -75,6 +84,7 @@ class ThreadRanks {
     [[nodiscard]] double waited() const override { return 0; }
     [[nodiscard]] int on_this_machine() const override { return all_.n_; }
     [[nodiscard]] int place_on_this_machine() const override { return rank_; }
+    [[nodiscard]] bool takes_device_memory() const override { return bool(all_.between_devices_); }
     [[noreturn]] void abandon() override { std::abort(); }
 
    private:
@@ -88,7 +98,16 @@ class ThreadRanks {
     std::vector<std::span<std::byte>> from_;
   };
 
+  void copy(std::span<std::byte> to, std::span<const std::byte> from) const {
+    if (between_devices_) {
+      between_devices_(to.data(), from.data(), from.size());
+    } else {
+      std::copy(from.begin(), from.end(), to.begin());
+    }
+  }
+
   int n_;
+  Copy between_devices_;
   std::barrier<> barrier_;
   std::vector<const void*> data_;
 };

@@ -1,10 +1,14 @@
 // The ranks of a run that mpirun (or srun) has started. A module of its own, loaded only where there are several ranks
 // (solver/program/join_ranks.cpp), so that programs run where MPI is not installed.
 #include <mpi.h>
+#if __has_include(<mpi-ext.h>)
+#include <mpi-ext.h>
+#endif
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <string_view>
 #include <thread>
 
 #include "common/ranks.hpp"
@@ -81,6 +85,15 @@ class MpiRanks final : public Ranks {
   [[nodiscard]] double waited() const override { return waited_; }
   [[nodiscard]] int on_this_machine() const override { return here_; }
   [[nodiscard]] int place_on_this_machine() const override { return place_here_; }
+
+  [[nodiscard]] bool takes_device_memory() const override {
+#if defined(MPIX_CUDA_AWARE_SUPPORT)
+    const char* wish = std::getenv("THALWEG_DEVICE_MESSAGES");
+    return (wish == nullptr || std::string_view(wish) != "off") && MPIX_Query_cuda_support() == 1;
+#else
+    return false;
+#endif
+  }
 
   [[noreturn]] void abandon() override {
     MPI_Abort(MPI_COMM_WORLD, 1);

@@ -195,7 +195,8 @@ TYPED_TEST(PopulationOn, AHaloCarriesTheDeclaredFields) {
   const HostBuffer<Index> known = indices;
   here.on.upload(std::move(indices), chosen);
   const std::vector<const Field*> fields{&field::place, &field::flow, &field::mass};
-  std::vector<std::byte> message(known.size() * halo_bytes(here.p, here.scene, fields, {}));
+  typename TypeParam::Message message;
+  message.resize(halo_bytes(here.p, here.scene, fields, {}, known.size()));
   pack(here.on, here.p, here.scene, fields, chosen, {}, message.data());
   unpack(there.on, there.p, there.scene, fields, message.data(), chosen, {});
   const auto a = here.on.download(here.p.record);
