@@ -52,8 +52,8 @@ std::string first_difference(const std::string& wanted, const std::string& found
 
 }  // namespace
 
-void write_checkpoint(const RunFolder& run, const Checkpoint& checkpoint) {
-  ParticleSet particles = checkpoint.particles;
+void write_checkpoint(const RunFolder& run, Checkpoint checkpoint) {
+  ParticleSet& particles = checkpoint.particles;
   const auto counts = numbers_of(checkpoint.counts);
   particles.facts[counts_fact].assign(counts.begin(), counts.end());
   const std::map<std::string, std::string> texts{{case_fact, checkpoint.case_text},

@@ -18,7 +18,7 @@ struct Checkpoint {
 };
 
 /// Writes the run's checkpoint, whole or not at all; the one before the last gives way to the last. Throws RunError.
-void write_checkpoint(const RunFolder& run, const Checkpoint& checkpoint);
+void write_checkpoint(const RunFolder& run, Checkpoint checkpoint);
 
 /// Throws InputError for a file that is no checkpoint, is damaged, or lacks an array or particles it was written with.
 Checkpoint read_checkpoint(const std::filesystem::path& file);

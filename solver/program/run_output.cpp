@@ -152,14 +152,14 @@ GaugeRow RunOutput::gauges(Simulation& simulation, const Case& of, const RunCloc
 
 void RunOutput::checkpoint(Simulation& simulation, const RunClock& clock, const std::string& case_text,
                            const RunCounts& counts) {
+  writing_.wait();  // its particles need not be in memory beside these
   Checkpoint checkpoint{simulation.full_state(), case_text, counts};
   checkpoint.particles.info = info_at(clock);
-  writing_.wait();
   if (excluded_) excluded_->sync();
-  writing_.start([this, checkpoint = std::move(checkpoint)] {
+  writing_.start([this, checkpoint = std::move(checkpoint)]() mutable {
     lock_.require_folder();
     sync_series_tables();
-    write_checkpoint(folder_, checkpoint);
+    write_checkpoint(folder_, std::move(checkpoint));
   });
 }
 

@@ -1,6 +1,8 @@
 #include "solver/simulation/particle_messages.hpp"
 
+#include <span>
 #include <string>
+#include <utility>
 
 #include "common/particle_arrays.hpp"
 #include "solver/simulation/simulation.hpp"
@@ -39,31 +41,13 @@ void read_map(MessageReader& message, Map& map) {
   }
 }
 
-/// The particles of a rank that belong to the fluid part of a joint set, or to the walls'.
-struct Part {
-  std::size_t from;
-  std::size_t to;
-};
-
-Part part_of(const ParticleSet& set, bool walls) {
-  const double fluid = set.facts.at(own_fluid_fact).at(0);
-  const std::size_t middle = fluid < 0 ? set.size() : static_cast<std::size_t>(fluid);
-  return walls ? Part{middle, set.size()} : Part{0, middle};
-}
-
-/// Joins an array of every rank; of(set) is it.
-template <class T, class Of>
-void join(const std::vector<ParticleSet>& of_ranks, const Of& of, std::vector<T>& to) {
-  for (const bool walls : {false, true}) {
-    for (const ParticleSet& set : of_ranks) {
-      const std::vector<T>& array = of(set);
-      if (array.empty()) continue;
-      const std::size_t components = array.size() / set.size();
-      const Part part = part_of(set, walls);
-      to.insert(to.end(), array.begin() + static_cast<std::ptrdiff_t>(part.from * components),
-                array.begin() + static_cast<std::ptrdiff_t>(part.to * components));
-    }
-  }
+/// Bytes of a message, about: the names of arrays are left out.
+std::size_t bytes_of(const ParticleSet& set) {
+  std::size_t bytes = set.position.size() * sizeof(Vec3);
+  for_each_array(set, [&](const char*, const auto& array) { bytes += std::span(array).size_bytes(); });
+  for (const auto& [name, array] : set.scalars) bytes += std::span(array).size_bytes();
+  for (const auto& [name, array] : set.doubles) bytes += std::span(array).size_bytes();
+  return bytes;
 }
 
 }  // namespace
@@ -78,6 +62,7 @@ void append_to(Bytes& message, const ParticleSet& set) {
 
 Bytes to_message(const ParticleSet& set) {
   Bytes message;
+  message.reserve(bytes_of(set) + 4096);
   append_to(message, set);
   return message;
 }
@@ -97,38 +82,56 @@ ParticleSet from_message(const Bytes& bytes) {
   return particles_in(message);
 }
 
-ParticleSet join_sets(const std::vector<ParticleSet>& of_ranks) {
-  ParticleSet joint;
-  const ParticleSet& first = of_ranks.front();
-  for_each_array(joint, [&](const char* name, auto& array) {
-    join(
-        of_ranks,
-        [&](const ParticleSet& set) -> const std::remove_cvref_t<decltype(array)>& {
-          const std::remove_cvref_t<decltype(array)>* found = nullptr;
-          for_each_array(set, [&](const char* other, const auto& candidate) {
-            if constexpr (std::is_same_v<decltype(candidate), decltype(*found)>) {
-              if (std::string(other) == name) found = &candidate;
-            }
-          });
-          return *found;
-        },
-        array);
-  });
-  join(
-      of_ranks, [](const ParticleSet& set) -> const std::vector<Vec3>& { return set.position; }, joint.position);
-  for (const auto& [name, array] : first.scalars) {
-    join(
-        of_ranks, [&name = name](const ParticleSet& set) -> const std::vector<float>& { return set.scalars.at(name); },
-        joint.scalars[name]);
+SetSizes sizes_of(const ParticleSet& of_rank) {
+  const double fluid = of_rank.facts.at(own_fluid_fact).at(0);
+  return {of_rank.size(), fluid < 0 ? of_rank.size() : static_cast<std::uint64_t>(fluid)};
+}
+
+JointSet::JointSet(std::vector<SetSizes> of_ranks) : of_ranks_(std::move(of_ranks)) {
+  for (const SetSizes& of_rank : of_ranks_) {
+    total_.all += of_rank.all;
+    total_.fluid += of_rank.fluid;
   }
-  for (const auto& [name, array] : first.doubles) {
-    join(
-        of_ranks, [&name = name](const ParticleSet& set) -> const std::vector<double>& { return set.doubles.at(name); },
-        joint.doubles[name]);
+}
+
+/// Reads the entries of an array to their places.
+template <class T>
+void JointSet::place(std::size_t rank, MessageReader& message, std::vector<T>& to) const {
+  const auto entries = message.number<std::uint64_t>();
+  if (entries == 0) return;
+  const SetSizes& own = of_ranks_[rank];
+  const std::size_t components = entries / own.all;
+  SetSizes before{};
+  for (std::size_t r = 0; r < rank; ++r) {
+    before.all += of_ranks_[r].all;
+    before.fluid += of_ranks_[r].fluid;
   }
-  joint.facts = first.facts;
-  joint.facts.erase(own_fluid_fact);
-  return joint;
+  to.resize(total_.all * components);
+  const auto read = [&](std::size_t at, std::size_t particles) {
+    message.read(reinterpret_cast<std::byte*>(to.data() + at * components), particles * components * sizeof(T));
+  };
+  read(before.fluid, own.fluid);
+  read(total_.fluid + before.all - before.fluid, own.all - own.fluid);
+}
+
+template <class T>
+void JointSet::place_map(std::size_t rank, MessageReader& message, std::map<std::string, std::vector<T>>& to) const {
+  for (auto n = message.number<std::uint64_t>(); n > 0; --n) {
+    std::vector<char> name;
+    read_array(message, name);
+    place(rank, message, to[std::string(name.begin(), name.end())]);
+  }
+}
+
+void JointSet::add(std::size_t rank, const Bytes& bytes) {
+  MessageReader message(bytes);
+  for_each_array(joint_, [&](const char*, auto& array) { place(rank, message, array); });
+  place(rank, message, joint_.position);
+  place_map(rank, message, joint_.scalars);
+  place_map(rank, message, joint_.doubles);
+  if (rank != 0) return;
+  read_map(message, joint_.facts);
+  joint_.facts.erase(own_fluid_fact);
 }
 
 }  // namespace thalweg

@@ -26,7 +26,7 @@ enum class Request : int {
   end
 };
 
-constexpr std::size_t root = 0;
+constexpr int root = 0;
 
 /// what(), in which all ranks take part. One that cannot go on leaves the others waiting for it: it says why and ends all.
 template <class What>
@@ -41,15 +41,17 @@ auto together(Ranks& ranks, const What& what) {
   }
 }
 
-/// Brings the particle sets of all ranks to the first.
-ParticleSet gather_set(Ranks& ranks, const ParticleSet& mine) {
-  std::vector<Bytes> to(static_cast<std::size_t>(ranks.size()));
-  if (ranks.rank() != 0) to[root] = to_message(mine);
-  const auto from = exchange_any(ranks, to);
-  if (ranks.rank() != 0) return {};
-  std::vector<ParticleSet> sets{mine};
-  for (std::size_t r = 1; r < from.size(); ++r) sets.push_back(from_message(from[r]));
-  return join_sets(sets);
+/// Brings the particle sets of all ranks to the first, one after the other.
+ParticleSet gather_set(Ranks& ranks, ParticleSet mine) {
+  JointSet joint(gather_from(ranks, sizes_of(mine)));
+  const Bytes own = to_message(mine);
+  mine = {};  // before the whole set is made
+  if (ranks.rank() == root) joint.add(root, own);
+  for (int rank = root + 1; rank < ranks.size(); ++rank) {
+    const Bytes theirs = send(ranks, own, rank, root);
+    if (ranks.rank() == root) joint.add(static_cast<std::size_t>(rank), theirs);
+  }
+  return joint.take();
 }
 
 /// The numbers of the facts that are sums over the ranks, and those that are means over the fluid.
@@ -186,7 +188,7 @@ class Leader final : public Simulation {
     return together(ranks_, [&] { return gather_set(ranks_, share_->snapshot()); });
   }
   std::function<ParticleSet()> begin_snapshot() override {
-    return [set = snapshot()] { return set; };
+    return [set = std::make_shared<ParticleSet>(snapshot())] { return std::move(*set); };
   }
   ParticleSet snapshot_within(const std::vector<Eigen::AlignedBox3d>& regions) override {
     ask(Request::snapshot_within);

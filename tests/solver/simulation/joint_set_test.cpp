@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "solver/simulation/particle_messages.hpp"
+#include "tests/solver/simulation/scenes_on_ranks.hpp"
+
+// The first rank puts the sets of all together, and has no more than one of the others' beside the whole.
+namespace thalweg::test {
+namespace {
+
+/// Particles with these ids, the first `fluid` of which are fluid; -1: in no order, all of them.
+ParticleSet set_of(const std::vector<std::int64_t>& ids, int fluid) {
+  ParticleSet set;
+  set.id = ids;
+  for (const std::int64_t id : ids) {
+    const auto x = static_cast<double>(id);
+    set.type.push_back(ParticleType::water);
+    set.position.emplace_back(x, 0, -x);
+    set.scalars["One"].push_back(static_cast<float>(id));
+    set.doubles["Two"].insert(set.doubles["Two"].end(), {x, x + 0.5});
+  }
+  set.facts[own_fluid_fact] = {static_cast<double>(fluid)};
+  set.facts["Known"] = {ids.empty() ? 0 : static_cast<double>(ids.front())};
+  return set;
+}
+
+TEST(JointSetTest, HasTheFluidOfAllBeforeTheWallsOfAll) {
+  // The second rank has nobody, and nobody is in order on the third.
+  const std::vector<ParticleSet> sets{set_of({1, 2, 8}, 2), set_of({}, 0), set_of({3, 4}, -1), set_of({5, 9}, 1)};
+  std::vector<SetSizes> sizes;
+  for (const ParticleSet& set : sets) sizes.push_back(sizes_of(set));
+  JointSet joint(sizes);
+  for (const std::size_t rank : {2U, 0U, 3U, 1U}) joint.add(rank, to_message(sets[rank]));
+  const ParticleSet all = joint.take();
+  EXPECT_EQ(all.id, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 8, 9}));
+  ASSERT_EQ(all.position.size(), 7U);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto x = static_cast<double>(all.id[i]);
+    EXPECT_EQ(all.position[i], Vec3(x, 0, -x));
+    EXPECT_EQ(all.scalars.at("One")[i], static_cast<float>(all.id[i]));
+    EXPECT_EQ(all.doubles.at("Two")[2 * i + 1], x + 0.5);
+  }
+  EXPECT_TRUE(all.density.empty());
+  EXPECT_EQ(all.facts, (decltype(all.facts){{"Known", {1}}}));
+}
+
+/// Ranks that note how many bytes come in together.
+class Watched final : public Ranks {
+ public:
+  explicit Watched(Ranks& of) : of_(of) {}
+  [[nodiscard]] int rank() const override { return of_.rank(); }
+  [[nodiscard]] int size() const override { return of_.size(); }
+  void gather(const void* mine, std::size_t bytes, void* all) override { of_.gather(mine, bytes, all); }
+  void start_exchange(const std::vector<std::span<const std::byte>>& to,
+                      const std::vector<std::span<std::byte>>& from) override {
+    std::size_t together = 0;
+    for (const auto& bytes : from) together += bytes.size();
+    most = std::max(most, together);
+    of_.start_exchange(to, from);
+  }
+  void finish_exchange() override { of_.finish_exchange(); }
+  void sum(std::int64_t* numbers, std::size_t n) override { of_.sum(numbers, n); }
+  void largest(std::uint8_t* numbers, std::size_t n) override { of_.largest(numbers, n); }
+  [[nodiscard]] Traffic sent() const override { return of_.sent(); }
+  [[nodiscard]] double waited() const override { return of_.waited(); }
+  [[nodiscard]] int on_this_machine() const override { return of_.on_this_machine(); }
+  [[nodiscard]] int place_on_this_machine() const override { return of_.place_on_this_machine(); }
+  [[noreturn]] void abandon() override { std::abort(); }
+
+  std::size_t most = 0;
+
+ private:
+  Ranks& of_;
+};
+
+TEST(JointSetTest, IsMadeOfOneMessageAtATime) {
+  CaseRun run("joint");
+  run.fill("dam_break", {});
+  ThreadRanks(4).run([&](Ranks& mine) {
+    Watched watched(mine);
+    StartOptions options{"openmp", "auto", 1};
+    options.ranks = &watched;
+    const ParticleSet nothing;
+    auto share = start_simulation(run.scene(), mine.rank() == 0 ? run.start() : nothing, options);
+    if (mine.rank() != 0) return follow(*share, watched);
+    const auto leader = lead(std::move(share), watched);
+    leader->advance(1);
+    watched.most = 0;
+    const ParticleSet whole = leader->full_state();
+    const auto bytes = static_cast<double>(to_message(whole).size());
+    EXPECT_GT(static_cast<double>(watched.most), 0.15 * bytes);
+    EXPECT_LT(static_cast<double>(watched.most), 0.4 * bytes);
+  });
+}
+
+}  // namespace
+}  // namespace thalweg::test
