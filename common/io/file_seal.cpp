@@ -25,6 +25,10 @@ unsigned long add_to(unsigned long checksum, std::string_view bytes) {
 
 }  // namespace
 
+void Seal::add(std::string_view part) { checksum_ = add_to(checksum_, part); }
+
+std::string Seal::text() const { return seal_with(checksum_); }
+
 std::string seal_of(std::string_view contents) { return seal_with(add_to(0, contents)); }
 
 SealState seal_state(const std::filesystem::path& file) {

@@ -10,6 +10,16 @@ namespace thalweg {
 
 enum class SealState { none, whole, broken };
 
+/// The seal of contents that come in parts.
+class Seal {
+ public:
+  void add(std::string_view part);
+  [[nodiscard]] std::string text() const;
+
+ private:
+  unsigned long checksum_ = 0;
+};
+
 /// The seal of these contents.
 std::string seal_of(std::string_view contents);
 

@@ -18,6 +18,7 @@
 
 #include "common/error.hpp"
 #include "common/io/particle_names.hpp"
+#include "common/io/particle_skeleton.hpp"
 #include "common/io/poly_data_file.hpp"
 #include "common/particle_arrays.hpp"
 
@@ -38,7 +39,9 @@ vtkSmartPointer<vtkAOSDataArrayTemplate<T>> view(const char* name, const T* data
 
 class Writer {
  public:
-  Writer(const fs::path& file, const ParticleSet& particles) : file_(file), particles_(particles) {}
+  /// `total`: the number of the file's particles, of which a skeleton (particle_skeleton.hpp) has two.
+  Writer(const fs::path& file, const ParticleSet& particles, std::int64_t total)
+      : file_(file), particles_(particles), total_(total) {}
 
   vtkSmartPointer<vtkPolyData> poly_data(PositionPrecision precision) {
     points(precision);
@@ -53,7 +56,7 @@ class Writer {
     for (const auto& [name, values] : particles_.scalars) add_further(name, values);
     for (const auto& [name, values] : particles_.doubles) add_further(name, values);
     add_facts(data_, particles_.info);
-    add_fact(data_, particle_names::count, static_cast<std::int64_t>(particles_.size()));
+    add_fact(data_, particle_names::count, total_);
     if (const auto& node = particles_.info.lattice_node) add_fact(data_, particle_names::lattice_node, *node);
     for (const auto& [name, numbers] : particles_.facts) {
       data_->GetFieldData()->AddArray(view(name.c_str(), numbers.data(), numbers.size(), 1));
@@ -133,6 +136,10 @@ class Writer {
     vtkNew<vtkIdTypeArray> connectivity;
     connectivity->SetNumberOfValues(n);
     std::iota(connectivity->GetPointer(0), connectivity->GetPointer(0) + n, vtkIdType{0});
+    if (n > 0) {
+      offsets->SetValue(n, total_);
+      connectivity->SetValue(n - 1, total_ - 1);
+    }
     vtkNew<vtkCellArray> cells;
     cells->SetData(offsets, connectivity);
     data_->SetVerts(cells);
@@ -147,6 +154,7 @@ class Writer {
 
   const fs::path& file_;
   const ParticleSet& particles_;
+  std::int64_t total_;
   std::vector<float> single_;
   vtkSmartPointer<vtkPolyData> data_ = vtkSmartPointer<vtkPolyData>::New();
 };
@@ -155,10 +163,15 @@ class Writer {
 
 void write_particles(const fs::path& file, const ParticleSet& particles, PositionPrecision precision,
                      const std::map<std::string, std::string>& texts, const WholeFile& how) {
-  Writer contents(file, particles);
+  Writer contents(file, particles, static_cast<std::int64_t>(particles.size()));
   const vtkSmartPointer<vtkPolyData> data = contents.poly_data(precision);
   for (const auto& [name, text] : texts) add_fact(data, name.c_str(), text);
   write_poly_data(file, data, how);
+}
+
+std::string particle_skeleton(const fs::path& file, const ParticleSet& extremes, std::int64_t total) {
+  Writer contents(file, extremes, total);
+  return poly_data_text(file, contents.poly_data(PositionPrecision::double_precision));
 }
 
 }  // namespace thalweg

@@ -74,7 +74,7 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
   return reader->GetOutput();
 }
 
-void write_poly_data(const std::filesystem::path& file, vtkPolyData* data, const WholeFile& how) {
+std::string poly_data_text(const std::filesystem::path& file, vtkPolyData* data) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   vtkNew<VtkErrors> errors;
   writer->AddObserver(vtkCommand::ErrorEvent, errors);
@@ -90,7 +90,11 @@ void write_poly_data(const std::filesystem::path& file, vtkPolyData* data, const
   if (writer->Write() == 0 || errors->any()) {
     throw RunError(file.string() + ": cannot be made: " + errors->first() + "; is there enough memory?");
   }
-  std::string contents = writer->GetOutputString();
+  return writer->GetOutputString();
+}
+
+void write_poly_data(const std::filesystem::path& file, vtkPolyData* data, const WholeFile& how) {
+  std::string contents = poly_data_text(file, data);
   contents += seal_of(contents);
   write_whole_bytes(file, contents, how);
 }

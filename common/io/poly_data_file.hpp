@@ -25,8 +25,11 @@ void add_facts(vtkPolyData* data, const ParticleFileInfo& info);
 /// Reads VTK XML PolyData of any program. Throws InputError "file: what is wrong; what to do".
 vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file);
 
-/// Writes VTK XML PolyData in the encoding of all our files (inline binary, zlib, 64-bit headers, sealed), whole or not
-/// at all. Throws RunError naming file and cause.
+/// VTK XML PolyData in the encoding of all our files (inline binary, zlib, 64-bit headers), without their seal. Throws RunError
+/// naming the file it is for, and cause.
+std::string poly_data_text(const std::filesystem::path& file, vtkPolyData* data);
+
+/// Writes the same, sealed, whole or not at all.
 void write_poly_data(const std::filesystem::path& file, vtkPolyData* data, const WholeFile& how = {});
 
 }  // namespace thalweg

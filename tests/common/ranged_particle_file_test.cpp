@@ -1,0 +1,142 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common/error.hpp"
+#include "common/io/particle_file.hpp"
+#include "common/io/ranged_particle_file.hpp"
+
+// A particle file that is written range by range has the bytes of one that is written at once.
+namespace thalweg {
+namespace {
+
+ParticleSet mixed_particles(std::size_t n) {
+  ParticleSet set;
+  set.info = {"flume", "0.1.0-7-gabc", "0123456789abcdef", 3, 0.01, 0.015, 0.25, 42};
+  set.info.lattice_node = Vec3(1.0 / 3, 0, -0.5);
+  std::mt19937 random(3);
+  std::normal_distribution<double> any(0, 10);
+  const auto number = [&] { return static_cast<float>(any(random)); };
+  for (std::size_t i = 0; i < n; ++i) {
+    set.id.push_back((std::int64_t{1} << 40) - static_cast<std::int64_t>(i));
+    set.type.push_back(static_cast<ParticleType>(i / 7 % 4));
+    set.state.push_back(static_cast<SedimentState>(i / 5 % 4));
+    set.position.emplace_back(any(random), any(random), any(random));
+    set.velocity.emplace_back(number(), number(), number());
+    set.density.push_back(1000 + number());
+    set.pressure.push_back(number());
+    set.mass.push_back(0.5F + static_cast<float>(i % 3));
+    set.normal.emplace_back(0.F, 0.F, i % 2 == 0 ? 1.F : 0.F);
+    set.scalars["WallDistance"].push_back(number());
+    for (int c = 0; c < 2; ++c) set.scalars["Pairs"].push_back(number());
+    set.doubles["Volume"].push_back(any(random));
+  }
+  return set;
+}
+
+/// Particles [from, to) of a set.
+ParticleSet range_of(const ParticleSet& all, std::size_t from, std::size_t to) {
+  const auto part = [&](const auto& array) {
+    const std::size_t each = array.size() / all.size();
+    return std::remove_cvref_t<decltype(array)>(array.begin() + static_cast<std::ptrdiff_t>(from * each),
+                                                array.begin() + static_cast<std::ptrdiff_t>(to * each));
+  };
+  ParticleSet range;
+  range.id = part(all.id);
+  range.type = part(all.type);
+  range.state = part(all.state);
+  range.position = part(all.position);
+  range.velocity = part(all.velocity);
+  range.density = part(all.density);
+  range.pressure = part(all.pressure);
+  range.mass = part(all.mass);
+  range.normal = part(all.normal);
+  for (const auto& [name, array] : all.scalars) range.scalars[name] = part(array);
+  for (const auto& [name, array] : all.doubles) range.doubles[name] = part(array);
+  return range;
+}
+
+class RangedParticleFileTest : public testing::Test {
+ protected:
+  RangedParticleFileTest() { std::filesystem::create_directories(folder); }
+  ~RangedParticleFileTest() override { std::filesystem::remove_all(folder); }
+
+  static std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+  }
+  void write_in_ranges(const ParticleSet& all, std::vector<std::size_t> ends) const {
+    RangedParticleFile file(folder / "ranges.vtp");
+    ends.push_back(all.size());
+    std::size_t from = 0;
+    for (const std::size_t to : ends) {
+      file.add(range_of(all, from, to));
+      from = to;
+    }
+    file.finish(all.info);
+  }
+  void expect_same(const ParticleSet& all, const std::vector<std::size_t>& ends) const {
+    write_particles(folder / "whole.vtp", all, PositionPrecision::double_precision);
+    write_in_ranges(all, ends);
+    const std::string whole = text_of(folder / "whole.vtp");
+    const std::string ranges = text_of(folder / "ranges.vtp");
+    ASSERT_EQ(ranges.size(), whole.size());
+    const auto differs = std::mismatch(whole.begin(), whole.end(), ranges.begin()).first - whole.begin();
+    EXPECT_TRUE(ranges == whole) << "from byte " << differs << " on";
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2) << "a temporary file is left";
+  }
+
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(RangedParticleFileTest, HasTheBytesOfOneThatIsWrittenAtOnce) {
+  expect_same(mixed_particles(20000), {1, 1, 3, 4099, 12288, 19999});
+  expect_same(mixed_particles(20000), {});
+}
+
+// Arrays of whole blocks: 4096 numbers of 8 bytes are 32 KiB.
+TEST_F(RangedParticleFileTest, EndsWithAWholeBlock) { expect_same(mixed_particles(8192), {4096}); }
+
+TEST_F(RangedParticleFileTest, HasAMassOnceThatAllParticlesHave) {
+  ParticleSet all = mixed_particles(3000);
+  std::fill(all.mass.begin(), all.mass.end(), 0.25F);
+  expect_same(all, {1000, 2000});
+  EXPECT_EQ(read_particles(folder / "ranges.vtp").mass, all.mass);
+}
+
+TEST_F(RangedParticleFileTest, HasNoArraysThatTheSetHasNot) {
+  ParticleSet all = mixed_particles(500);
+  all.state.clear();
+  all.normal.clear();
+  all.scalars.clear();
+  expect_same(all, {100});
+}
+
+TEST_F(RangedParticleFileTest, OfTwoParticles) { expect_same(mixed_particles(2), {1}); }
+
+TEST_F(RangedParticleFileTest, RefusesRangesOfDifferentArrays) {
+  const ParticleSet all = mixed_particles(100);
+  RangedParticleFile file(folder / "ranges.vtp");
+  file.add(range_of(all, 0, 50));
+  ParticleSet other = range_of(all, 50, 100);
+  other.pressure.clear();
+  EXPECT_THROW(file.add(other), RunError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "ranges.vtp"));
+}
+
+TEST_F(RangedParticleFileTest, LeavesNothingIfItIsNotFinished) {
+  { RangedParticleFile(folder / "ranges.vtp").add(mixed_particles(5000)); }
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace thalweg
