@@ -4,16 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "case/bed_on_ground.hpp"
 #include "case/models/openings.hpp"
 #include "case/models/surface_bed.hpp"
-#include "case/reader/case_file.hpp"
 #include "case/scales.hpp"
 #include "common/error.hpp"
 #include "common/units.hpp"
-#include "common/version.hpp"
 #include "gencase/checks.hpp"
 #include "gencase/closure.hpp"
 #include "gencase/coverage.hpp"
@@ -21,6 +22,7 @@
 #include "gencase/flow_skin.hpp"
 #include "gencase/hydrostatic.hpp"
 #include "gencase/openings.hpp"
+#include "gencase/particle_maker.hpp"
 #include "gencase/places.hpp"
 #include "gencase/pore_water.hpp"
 #include "gencase/relaxation.hpp"
@@ -43,10 +45,10 @@ constexpr double nodes_of_probe = 1e6;
                   format_bytes(limit), format_quantity(fits, "m")));
 }
 
-/// Refuses a scene whose fluid or whose lattice needs more memory than `limit` [bytes], from the number of fluid nodes
-/// on a coarse lattice. The exact number is checked after the filling.
+/// Refuses a scene whose fluid or whose lattice needs more memory than there is, from the number of fluid nodes on a coarse
+/// lattice. The exact number is checked after the filling.
 void check_size_before_filling(const Case& scene, const std::vector<PlacedShape>& shapes, const Lattice& lattice,
-                               double limit) {
+                               const GenerateOptions& options) {
   const auto nodes = static_cast<double>(lattice.nodes());
   if (nodes <= nodes_to_probe) return;
   const double coarser = std::pow(nodes / nodes_of_probe, 1.0 / scene.info.dimension);
@@ -56,8 +58,9 @@ void check_size_before_filling(const Case& scene, const std::vector<PlacedShape>
   for (std::size_t s = 0; s < shapes.size(); ++s)
     if (shapes[s].is_fluid()) fluid += static_cast<double>(probe.shapes[s].kept);
   fluid *= nodes / static_cast<double>(probe.lattice.nodes());
-  const double needed = std::max(estimate_memory(fluid, scene.info.dimension).total(), nodes * sizeof(Label));
-  if (needed > limit) refuse_size(scene, fluid, needed, limit);
+  const double run = options.larger_than_memory ? 0 : estimate_memory(fluid, scene.info.dimension).total();
+  const double needed = std::max(run, nodes * sizeof(Label));
+  if (needed > options.memory_limit) refuse_size(scene, fluid, needed, options.memory_limit);
 }
 
 /// Gravity along the lattice's columns [m/s^2], signed. Says so if gravity does not point along -z.
@@ -79,96 +82,25 @@ double column_gravity(const Case& scene, const Notes& notes) {
   return along;
 }
 
-ParticleSet allocate(const Case& resolved, const std::vector<PlacedShape>& shapes, const Filling& filling) {
-  ParticleSet set;
-  set.info = {resolved.info.name,
-              version(),
-              hash_of(resolved),
-              resolved.info.dimension,
-              resolved.numerics.spacing,
-              resolved.smoothing_length(),
-              0,
-              0};
-  const auto count = static_cast<std::size_t>(filling.particles);
-  set.id.reserve(count);
-  set.type.reserve(count);
-  set.position.reserve(count);
-  set.density.reserve(count);
-  set.pressure.reserve(count);
-  set.mass.reserve(count);
-  set.velocity.assign(count, Eigen::Vector3f::Zero());
-  const auto is_sediment = [](const PlacedShape& shape) { return shape.shape->role == ShapeRole::sediment; };
-  if (std::any_of(shapes.begin(), shapes.end(), is_sediment)) set.state.reserve(count);
-  if (!filling.walls.empty()) {
-    set.normal.reserve(count);
-    set.scalars["WallDistance"].reserve(count);
-  }
-  if (!resolved.motions.empty()) set.scalars[motion_array].reserve(count);
-  if (resolved.has_rough_walls()) set.scalars[roughness_array].reserve(count);
-  if (resolved.has_concentration()) set.scalars[concentration_array].reserve(count);
-  return set;
-}
-
-/// Number of the shape's motion, counted from 1 in the order of the case; 0 without a motion.
-float number_of_motion(const Case& scene, const Shape& shape) {
-  if (shape.motion.empty()) return 0;
-  const auto found = std::find_if(scene.motions.begin(), scene.motions.end(),
-                                  [&](const Motion& motion) { return motion.name == shape.motion; });
-  return static_cast<float>(found - scene.motions.begin() + 1);
-}
-
-/// One particle for every node of a shape, column by column: ids follow the columns, so that neighbours in space are
-/// mostly neighbours in memory.
-ParticleSet make_particles(const Case& resolved, const std::vector<PlacedShape>& shapes, const Filling& filling,
-                           const HydrostaticStart& start, Summary& summary) {
-  ParticleSet set = allocate(resolved, shapes, filling);
-  const Lattice& lattice = filling.lattice;
-  const bool has_states = set.state.capacity() > 0;
-  std::vector<double> pressures(static_cast<std::size_t>(lattice.column_length()));
-  auto wall = filling.walls.begin();
-  std::vector<float>* motions = resolved.motions.empty() ? nullptr : &set.scalars[motion_array];
-  std::vector<float>* roughness = resolved.has_rough_walls() ? &set.scalars[roughness_array] : nullptr;
-  std::vector<float>* concentration = resolved.has_concentration() ? &set.scalars[concentration_array] : nullptr;
-  std::vector<float>* distances = filling.walls.empty() ? nullptr : &set.scalars["WallDistance"];
-  for (std::int64_t column = 0; column < lattice.columns(); ++column) {
-    start.column(column, pressures);
-    for (std::size_t along = 0; along < pressures.size(); ++along) {
-      const std::int64_t node = column * lattice.column_length() + static_cast<std::int64_t>(along);
-      const Label label = filling.label[static_cast<std::size_t>(node)];
-      if (label == nothing || label == solid_core) continue;
-      const PlacedShape& shape = shapes[label - 1U];
-      const double pressure = pressures[along];
-      const double density = hydrostatic_density(shape.density_at_rest, pressure, summary.sound_speed);
-      summary.largest_pressure = std::max(summary.largest_pressure, pressure);
-      set.id.push_back(static_cast<std::int64_t>(set.id.size()));
-      set.type.push_back(shape.type());
-      set.position.push_back(lattice.position(lattice.offset(node)));
-      set.density.push_back(static_cast<float>(density));
-      set.pressure.push_back(static_cast<float>(pressure));
-      set.mass.push_back(static_cast<float>(density * lattice.cell()));
-      if (has_states)
-        set.state.push_back(shape.type() == ParticleType::sediment ? SedimentState::deposit : SedimentState::none);
-      if (motions != nullptr) motions->push_back(number_of_motion(resolved, *shape.shape));
-      if (roughness != nullptr) roughness->push_back(static_cast<float>(shape.shape->roughness));
-      if (concentration != nullptr) concentration->push_back(static_cast<float>(shape.shape->concentration));
-      if (distances == nullptr) continue;
-      const bool is_wall = shape.is_wall();
-      set.normal.push_back(is_wall ? wall->normal : Eigen::Vector3f::Zero());
-      distances->push_back(is_wall ? wall->distance : 0);
-      if (is_wall) ++wall;
-    }
-  }
-  return set;
-}
-
 /// The lattice node that the particle file names. It is the place of the first fixed wall particle, which readers of
 /// files without the fact take, so that both give the same numbers to the last bit; without fixed walls, the node at
 /// the lattice's anchor.
-Vec3 named_node(const ParticleSet& particles, const Lattice& lattice) {
-  const auto wall = std::find(particles.type.begin(), particles.type.end(), ParticleType::wall);
-  if (wall != particles.type.end()) return particles.position[static_cast<std::size_t>(wall - particles.type.begin())];
-  return lattice.position({-lattice.first[0], -lattice.first[1], -lattice.first[2]});
-}
+class NamedNode {
+ public:
+  explicit NamedNode(const Lattice& lattice)
+      : anchor_(lattice.position({-lattice.first[0], -lattice.first[1], -lattice.first[2]})) {}
+  void look(const ParticleSet& range) {
+    if (wall_) return;
+    const auto wall = std::find(range.type.begin(), range.type.end(), ParticleType::wall);
+    if (wall != range.type.end()) wall_ = range.position[static_cast<std::size_t>(wall - range.type.begin())];
+  }
+  [[nodiscard]] const Vec3& anchor() const { return anchor_; }
+  [[nodiscard]] Vec3 position() const { return wall_.value_or(anchor_); }
+
+ private:
+  Vec3 anchor_;
+  std::optional<Vec3> wall_;
+};
 
 std::vector<ShapeSummary> summarise(const std::vector<PlacedShape>& shapes, const Filling& filling) {
   std::vector<ShapeSummary> summaries;
@@ -241,16 +173,49 @@ void resolve_speeds(Generated& result, const Notes& notes) {
                     resolved.file.string(), resolved.numerics.maximum_speed, wave_speed));
 }
 
+/// True if a part of gencase works with all particles at once.
+bool needs_all_particles(const Case& scene) {
+  return scene.gencase.relaxation > 0 || scene.model.seepage != SeepageModel::off;
+}
+
+/// Memory of gencase itself while it makes particles [bytes].
+double own_memory(const Filling& filling, double host, bool in_ranges) {
+  constexpr double of_range = 4e8;  // the particles of a range, and the file's blocks under way
+  const double of_filling = static_cast<double>(filling.label.size() * sizeof(Label)) +
+                            static_cast<double>(filling.walls.size() * sizeof(WallPoint));
+  return in_ranges ? std::min(host, of_filling + of_range) : host;
+}
+
 }  // namespace
 
+void Summary::count(const ParticleSet& range) {
+  for (std::size_t i = 0; i < range.size(); ++i) {
+    const auto type = static_cast<std::size_t>(range.type[i]);
+    ++counts[type];
+    masses[type] += double{range.mass[i]};
+    bounds.extend(range.position[i]);
+  }
+}
+
 Generated generate(const Case& scene, const GenerateOptions& options) {
+  ParticleSet all;
+  GenerateOptions at_once = options;
+  at_once.nodes_at_once = std::numeric_limits<std::int64_t>::max();
+  Generated result = generate_in_ranges(scene, at_once, [&](ParticleSet range) { all = std::move(range); });
+  all.info = result.particles.info;
+  result.particles = std::move(all);
+  return result;
+}
+
+Generated generate_in_ranges(const Case& scene, const GenerateOptions& options,
+                             const std::function<void(ParticleSet)>& take) {
   const Notes& notes = options.notes;
   Progress progress(options.progress);
   const std::vector<PlacedShape> shapes = place_shapes(scene, notes);
   check_periods(scene);
   const Lattice lattice = make_lattice(scene, shapes, scene.numerics.spacing);
   for (const std::string& line : faces_off_lattice(scene, lattice)) notes.warn(line);
-  check_size_before_filling(scene, shapes, lattice, options.memory_limit);
+  check_size_before_filling(scene, shapes, lattice, options);
 
   const FlowRoom room = flow_room(shapes);
   Filling filling = claim_nodes(shapes, lattice, progress);
@@ -269,9 +234,12 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
 
   const auto particles = static_cast<double>(filling.particles);
   const MemoryEstimate memory = estimate_memory(particles, scene.info.dimension);
+  const bool in_ranges = !needs_all_particles(scene) && options.nodes_at_once < lattice.nodes();
+  const double own = own_memory(filling, memory.host, in_ranges);
   notes.say(fmt::format("{} particles; the solver will need about {} for them, gencase {}", filling.particles,
-                        format_bytes(memory.solver), format_bytes(memory.host)));
-  if (memory.total() > options.memory_limit) refuse_size(scene, particles, memory.total(), options.memory_limit);
+                        format_bytes(memory.solver), format_bytes(own)));
+  const double needed = options.larger_than_memory ? own : memory.total();
+  if (needed > options.memory_limit) refuse_size(scene, particles, needed, options.memory_limit);
 
   Generated result{scene, {}, {}};
   const double gravity = column_gravity(scene, notes);
@@ -282,14 +250,28 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
   if (!models::SurfaceBedOfCase::is_on(scene)) flowing.push_back(ShapeRole::sediment);  // such a bed holds itself
   summary.fluid_height = start.fluid_height(flowing);
   resolve_speeds(result, notes);
-  result.particles = make_particles(result.resolved, shapes, filling, start, summary);
-  result.particles.info.lattice_node = named_node(result.particles, lattice);
-  require_bed_on_ground(result.resolved, result.particles);
-  start_flow(result.resolved, shapes, filling, result.particles);
+  ParticleMaker maker(result.resolved, shapes, filling, start, summary.sound_speed);
+  NamedNode node(lattice);
+  Seam seam(result.resolved);
+  ParticleSet range;
+  while (!maker.is_done()) {
+    const Columns columns = maker.next_columns(in_ranges ? options.nodes_at_once : lattice.nodes());
+    range = maker.make(columns);
+    node.look(range);
+    seam.look(range);
+    range.info.lattice_node = node.anchor();
+    require_bed_on_ground(result.resolved, range);
+    start_flow(result.resolved, shapes, filling, columns, range);
+    if (maker.is_done()) break;
+    summary.count(range);
+    take(std::move(range));
+  }
+  seam.require_water();
+  summary.largest_pressure = maker.largest_pressure();
   if (scene.gencase.relaxation > 0) {
     const auto skin = make_flow_skin(room, around(scene, lattice), scene.numerics.spacing, scene.info.dimension, notes);
     const Relaxation relaxed =
-        relax(result.particles, shapes, *skin, filling, scene.gencase.relaxation, gravity, summary.sound_speed);
+        relax(range, shapes, *skin, filling, scene.gencase.relaxation, gravity, summary.sound_speed);
     notes.say(fmt::format(
         "relaxation: {} sweeps over {} particles beside walls; unevenness {:.3g} before, {:.3g} after; "
         "farthest move {}",
@@ -299,12 +281,15 @@ Generated generate(const Case& scene, const GenerateOptions& options) {
     case SeepageModel::off:
       break;
     case SeepageModel::mixture:
-      const std::size_t added =
-          split_into_mixture(scene, shapes, filling, gravity, summary.sound_speed, result.particles);
+      const std::size_t added = split_into_mixture(scene, shapes, filling, gravity, summary.sound_speed, range);
       notes.say(fmt::format("{} particles of pore water in the places of the grains (model.seepage)", added));
       break;
   }
   summary.shapes = summarise(shapes, filling);
+  result.particles.info = range.info;
+  result.particles.info.lattice_node = node.position();
+  summary.count(range);
+  take(std::move(range));
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include "common/command_line.hpp"
 #include "common/console.hpp"
 #include "common/error.hpp"
-#include "common/io/particle_file.hpp"
+#include "common/io/ranged_particle_file.hpp"
 #include "common/io/run_results.hpp"
 #include "common/particle_words.hpp"
 #include "common/run_folder.hpp"
@@ -47,7 +47,7 @@ std::string result_of(const Case& scene, const thalweg::gencase::Generated& gene
   nlohmann::ordered_json result{{"case", scene.info.name}, {"dimension", scene.info.dimension}};
   result["spacing"] = scene.numerics.spacing;
   if (!folder.empty()) result["folder"] = folder;
-  const auto counts = thalweg::count_by_type(generated.particles);
+  const auto& counts = generated.summary.counts;
   for (std::size_t type = 0; type < counts.size(); ++type)
     result["particles"][thalweg::type_words[type]] = counts[type];
   return result.dump(2);
@@ -66,6 +66,7 @@ int gencase(int argc, char** argv) {
   bool check = false;
   bool repair = false;
   bool force = false;
+  bool larger_than_memory = false;
   app.add_option("CASE", case_path, "folder with case.toml, or the file")->required();
   app.add_option("--out", out, "folder of the run; default: out/<case name>");
   app.add_option("--set", overrides, "key=value: overrides a key of the case, as in numerics.spacing=\"4 mm\"")
@@ -74,6 +75,9 @@ int gencase(int argc, char** argv) {
   app.add_flag("--check", check, "do everything but write files");
   app.add_flag("--repair", repair, "mend surface meshes that bound no volume, and say what was changed");
   app.add_flag("--force", force, "fill the folder although it holds a run, whose results then belong to another scene");
+  app.add_flag(
+      "--larger-than-memory", larger_than_memory,
+      "fill a scene that needs more memory to run than this machine has: several machines compute it (--ranks)");
   if (const auto answered = thalweg::parse_command_line(app, argc, argv)) return *answered;
 
   Case scene = thalweg::read_case(case_path, overrides);
@@ -89,7 +93,14 @@ int gencase(int argc, char** argv) {
     thalweg::keep_log(folder, "gencase");
   }
   const auto begin = std::chrono::steady_clock::now();
-  const thalweg::gencase::Generated generated = thalweg::gencase::generate(scene, options_for(folder.root, check));
+  auto options = options_for(folder.root, check);
+  options.larger_than_memory = larger_than_memory;
+  std::optional<thalweg::RangedParticleFile> file;
+  if (!check) file.emplace(folder.particles());
+  const thalweg::gencase::Generated generated =
+      thalweg::gencase::generate_in_ranges(scene, options, [&](const thalweg::ParticleSet& range) {
+        if (file) file->add(range);
+      });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   thalweg::say(fmt::format("{}{} lattice points in {:.2f} s", thalweg::gencase::report(generated),
                            generated.summary.lattice_nodes, seconds));
@@ -98,7 +109,7 @@ int gencase(int argc, char** argv) {
     thalweg::say("checked only: nothing written");
     return static_cast<int>(thalweg::Exit::done);
   }
-  thalweg::write_particles(folder.particles(), generated.particles, thalweg::PositionPrecision::double_precision);
+  file->finish(generated.particles.info);
   thalweg::write_case(folder.resolved_case(), generated.resolved);
   thalweg::say(fmt::format("written: {} and {}", folder.particles().string(), folder.resolved_case().string()));
   return static_cast<int>(thalweg::Exit::done);

@@ -29,8 +29,8 @@ std::string shape_lines(const Generated& generated) {
 
 std::string type_lines(const Generated& generated) {
   const char* unit = generated.resolved.info.dimension == 2 ? "kg/m" : "kg";
-  const auto counts = count_by_type(generated.particles);
-  const auto masses = mass_by_type(generated.particles);
+  const auto& counts = generated.summary.counts;
+  const auto& masses = generated.summary.masses;
   std::string text;
   for (std::size_t type = 0; type < type_names.size(); ++type) {
     if (counts[type] == 0) continue;
@@ -42,12 +42,8 @@ std::string type_lines(const Generated& generated) {
 }
 
 std::string bounds_line(const Generated& generated) {
-  Vec3 lower = generated.particles.position.front();
-  Vec3 upper = lower;
-  for (const Vec3& p : generated.particles.position) {
-    lower = lower.cwiseMin(p);
-    upper = upper.cwiseMax(p);
-  }
+  const Vec3 lower = generated.summary.bounds.min();
+  const Vec3 upper = generated.summary.bounds.max();
   const double spacing = generated.resolved.numerics.spacing;
   std::string text = "bounds:";
   for (int axis = 0; axis < 3; ++axis) {

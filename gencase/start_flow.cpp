@@ -85,32 +85,32 @@ class FlowStarter {
   int component_;
 };
 
-/// Refuses a flume whose seam no water crosses: walls close it.
-void check_seam(const Case& scene, const ParticleSet& particles) {
-  const int axis = scene.flow.component();
-  bool low = false;
-  bool high = false;
+}  // namespace
+
+void Seam::look(const ParticleSet& particles) {
+  if (scene_.flow.drive == Drive::off) return;
+  const int axis = scene_.flow.component();
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (particles.type[i] != ParticleType::water) continue;
-    low = low || particles.position[i][axis] < scene.domain.from[axis] + scene.numerics.spacing;
-    high = high || particles.position[i][axis] > scene.domain.to[axis] - scene.numerics.spacing;
+    low_ = low_ || particles.position[i][axis] < scene_.domain.from[axis] + scene_.numerics.spacing;
+    high_ = high_ || particles.position[i][axis] > scene_.domain.to[axis] - scene_.numerics.spacing;
   }
-  if (low && high) return;
-  throw InputError(scene.file.string() + ": no water lies at both ends of the period along " + scene.flow.along +
+}
+
+void Seam::require_water() const {
+  if (scene_.flow.drive == Drive::off || (low_ && high_)) return;
+  throw InputError(scene_.file.string() + ": no water lies at both ends of the period along " + scene_.flow.along +
                    ", so that nothing can flow around it; let shapes of water reach both ends, and walls neither");
 }
 
-}  // namespace
-
 void start_flow(const Case& scene, const std::vector<PlacedShape>& shapes, const Filling& filling,
-                ParticleSet& particles) {
-  if (scene.flow.drive != Drive::off) check_seam(scene, particles);
+                const Columns& columns, ParticleSet& particles) {
   if (scene.flow.start == FlowStart::rest) return;
   const FlowStarter starter(scene, shapes, particles);
   const Lattice& lattice = filling.lattice;
   const std::int64_t length = lattice.column_length();
   std::size_t particle = 0;
-  for (std::int64_t column = 0; column < lattice.columns(); ++column) {
+  for (std::int64_t column = columns.begin; column < columns.end; ++column) {
     const std::span<const Label> labels(filling.label.data() + column * length, static_cast<std::size_t>(length));
     const auto wet = std::count_if(labels.begin(), labels.end(), [&](Label label) { return starter.is_water(label); });
     WaterRun run;
