@@ -180,7 +180,7 @@ bool needs_all_particles(const Case& scene) {
 
 /// Memory of gencase itself while it makes particles [bytes].
 double own_memory(const Filling& filling, double host, bool in_ranges) {
-  constexpr double of_range = 4e8;  // the particles of a range, and the file's blocks under way
+  constexpr double of_range = 1e8;  // the particles of a range, and the file's blocks under way
   const double of_filling = static_cast<double>(filling.label.size() * sizeof(Label)) +
                             static_cast<double>(filling.walls.size() * sizeof(WallPoint));
   return in_ranges ? std::min(host, of_filling + of_range) : host;

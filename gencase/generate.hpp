@@ -51,7 +51,7 @@ struct GenerateOptions {
   bool progress = false;  // shows on a terminal how far a long filling is
   /// True: the run may need more memory than there is here, because several machines compute it; gencase alone has to find room.
   bool larger_than_memory = false;
-  std::int64_t nodes_at_once = std::int64_t{1} << 21;  // of the lattice, whose particles are in memory together
+  std::int64_t nodes_at_once = std::int64_t{1} << 19;  // of the lattice, whose particles are in memory together
 };
 
 /// Fills the scene with particles at hydrostatic rest. Says their number and memory before it allocates them. Throws
