@@ -31,6 +31,11 @@ def depth_of_a_hole(finished, entry, _):
         lambda time: entry.given["level"] - min(heights(finished, entry, finished.end if time is None else time)))
 
 
+@measure("height of a crest", "Highest point [m] of a curve of the profile between two places along x.", CURVE, *BETWEEN)
+def height_of_a_crest(finished, entry, _):
+    return entry.reference.points(lambda time: max(heights(finished, entry, finished.end if time is None else time)))
+
+
 @measure("rise of a crest", "Largest rise [m] of the curve's highest point between two places along x, above its lowest before, over all "
          "snapshots. Water that runs over a dike raises nothing: 0 is known.", CURVE, *BETWEEN, reference=False)
 def rise_of_a_crest(finished, entry, _):

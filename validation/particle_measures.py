@@ -8,8 +8,10 @@ from thalweg.particle_file import SEDIMENT, WATER, of_fluid
 from validation.keys import Key
 from validation.library import measure
 from validation.points import Point
+from validation.references import as_list
 
 PHASES = {"water": WATER, "sediment": SEDIMENT}
+COMPONENTS = ("u", "v")
 
 
 @measure("water front", "Foremost edge of the water along x [m]: half a spacing beyond the third foremost particle.")
@@ -122,3 +124,39 @@ def toe(finished, entry, _):
                 return x + (after - x) * (z - height) / (z - below)
         finished.fail(f"no height of run {finished.run.name} falls through {height:g} m; give another height")
     return entry.reference.points(sample)
+
+
+def surface_of_water(found, spacing):
+    """(x, y) [m], height [m] and velocity [m/s] of the highest particle of water in every column one spacing wide."""
+    columns = {}
+    for i, kind in enumerate(found["Type"]):
+        if kind == WATER:
+            x, y, z = found["Points"][3 * i:3 * i + 3]
+            column = math.floor(x / spacing), math.floor(y / spacing)
+            if column not in columns or columns[column][2] < z:
+                columns[column] = x, y, z, found["Velocity"][3 * i:3 * i + 3]
+    return list(columns.values())
+
+
+@measure("surface velocity", "Velocity of the water's surface [m/s] at one time in space, as floats on it show it: mean over a square around "
+         "each place of the highest water in every column one spacing wide. What is known stands in a table, in which `reference_at` names "
+         "the columns of x and y [m]. Where the run has no water the velocity counts as 0.",
+         Key("column", "text or texts", "components, u along x and v along y, in the order of `reference_column`", required=True),
+         Key("time", "number", "time [s] of a snapshot", required=True),
+         Key("over", "positive number", "side of the square [m]", required=True))
+def surface_velocity(finished, entry, _):
+    surface = surface_of_water(finished.particles(finished.snapshot(entry.given["time"]), ("Points", "Velocity", "Type")), finished.spacing)
+    half = entry.given["over"] / 2
+    points = []
+    for number, name in enumerate(as_list(entry.given["column"])):
+        if name not in COMPONENTS:
+            finished.fail(f"there is no component {name}; give u, v or both", "column")
+        component = COMPONENTS.index(name)
+
+        def sample(place, component=component):
+            near = [velocity[component] for x, y, _, velocity in surface if abs(x - place[0]) <= half and abs(y - place[1]) <= half]
+            return sum(near) / len(near) if near else 0.0
+        for place, point in zip(entry.reference.times, entry.reference.points(sample, number)):
+            point.at = f"{name} at {place[0]:g}, {place[1]:g} m"
+            points.append(point)
+    return points

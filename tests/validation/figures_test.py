@@ -150,6 +150,23 @@ class Measures(unittest.TestCase):
         with self.assertRaises(InputError):
             self.measured("depth of a hole", {**given, "begin": 0.4, "end": 0.5}, profile=lambda *_: profile, fail=fail)
 
+    def test_the_height_of_a_crest_counts_between_its_places_alone(self):
+        profile = [(-0.6, 0.9), (-0.01, 0.03), (0.0, 0.045), (0.02, 0.04), (0.3, 0.5)]
+        point, = self.measured("height of a crest", {"begin": -0.1, "end": 0.1}, profile=lambda *_: profile)
+        self.assertAlmostEqual(point.computed, 0.045)
+
+    def test_the_velocity_of_a_surface_is_that_of_the_highest_water_around_a_place(self):
+        # Three columns: the middle one has slow water below, the last one lies outside of the square; particle 4 is of a wall.
+        particles = {"Points": [0.05, 0.05, 0.2, 0.15, 0.05, 0.1, 0.15, 0.05, 0.3, 0.95, 0.05, 0.2, 0.05, 0.05, 0.9],
+                     "Velocity": [1, 0.5, 0, 0, 0, 0, 3, -0.5, 0, 7, 7, 0, 9, 9, 9], "Type": (2, 2, 2, 2, 0)}
+        finished = types.SimpleNamespace(spacing=0.1, particles=lambda *_: particles, snapshot=lambda _: "")
+        reference = types.SimpleNamespace(columns=2, times=[(0.1, 0.1), (5.0, 5.0)],
+                                          points=lambda sample, _: [Point("", sample(place), 0.0, 0.0) for place in reference.times])
+        points = MEASURES["surface velocity"].function(
+            finished, types.SimpleNamespace(given={"time": 1.0, "over": 0.3, "column": ["u", "v"]}, reference=reference), None)
+        self.assertEqual([point.computed for point in points], [2.0, 0.0, 0.0, 0.0])
+        self.assertEqual(points[0].at, "u at 0.1, 0.1 m")
+
     def test_a_crest_rises_above_its_lowest_before(self):
         crests = {0.0: 0.2, 1.0: 0.15, 2.0: 0.16, 3.0: 0.1, 4.0: 0.12}
         results = {"snapshots": [(time, "") for time in crests], "profile": lambda time, _: [(0.5, 0.3), (0.8, crests[time]), (0.9, 0.05)]}
