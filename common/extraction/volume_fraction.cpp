@@ -52,6 +52,7 @@ class Scatter {
         has_volumes_(!particles_.mass.empty() && !particles_.density.empty()) {}
 
   void add(std::size_t b, std::size_t first_column, std::size_t last_column) {
+    if (walls_.doubled[b] != 0) return;
     const SamplingGrid& grid = sums_.grid;
     const Vec3& at = particles_.position[b];
     const bool plane = grid.is_plane();

@@ -11,6 +11,8 @@
 namespace thalweg {
 namespace {
 
+constexpr double same_place = 0.01;  // [-] of the spacing
+
 struct Members {
   std::vector<std::size_t> particles;
   double lowest_top = 0;
@@ -40,6 +42,7 @@ WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
   WallRuns runs;
   runs.spacing = spacing;
   runs.top.assign(particles.size(), std::numeric_limits<double>::quiet_NaN());
+  runs.doubled.assign(particles.size(), 0);
   std::map<std::pair<long, long>, Members> columns;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (!is_wall(particles.type[i])) continue;
@@ -58,6 +61,10 @@ WallRuns find_wall_runs(const ParticleSet& particles, double spacing) {
     const auto height = [&](std::size_t k) { return particles.position[members[k]].z(); };
     std::sort(members.begin(), members.end(),
               [&](std::size_t a, std::size_t b) { return particles.position[a].z() < particles.position[b].z(); });
+    for (std::size_t k = 1; k < members.size(); ++k) {
+      const double apart = (particles.position[members[k]] - particles.position[members[k - 1]]).norm();
+      runs.doubled[members[k]] = apart < same_place * spacing ? 1 : 0;
+    }
     double low = height(0) - spacing / 2;
     for (std::size_t k = 0; k < members.size(); ++k) {
       const bool run_ends = k + 1 == members.size() || height(k + 1) - height(k) > 2 * spacing;

@@ -15,6 +15,10 @@ namespace thalweg {
 struct WallRuns {
   std::vector<double> top;  // [m] per particle of the set: highest point of its run; NaN for particles that are no wall
 
+  /// Wall particles that stand where another one stands, and count as nothing: rows that a bed that is a surface keeps ready
+  /// below a bare floor.
+  std::vector<char> doubled;
+
   double open_from = -std::numeric_limits<double>::infinity();  // [m] the flow lies between the outermost columns
   double open_to = std::numeric_limits<double>::infinity();     // [m] whose wall is lower than the highest wall
 

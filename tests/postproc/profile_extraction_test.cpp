@@ -111,6 +111,25 @@ TEST(ExtractProfile, SineBedUnderWaterKeepsItsShape) {
   }
 }
 
+// A bed that is a surface keeps spare rows as wall particles, all at one place of the floor. They are no more floor than one.
+TEST(ExtractProfile, SpareRowsOfABedDoNotRaiseABareFloor) {
+  Flume flume;
+  flume.begin();
+  flume.add_walls();
+  for (double x = flume.spacing / 2; x < 1; x += flume.spacing) {
+    for (int row = 0; row < 5; ++row) flume.add(ParticleType::wall, {x, 0, -flume.spacing / 2});
+  }
+  const auto bed = [](double x) { return x < 0.5 ? 0 : 0.02; };
+  flume.fill(ParticleType::sediment, 0.5, 1, flat, bed);
+  flume.fill(ParticleType::water, 0, 1, bed, [](double) { return 0.1; });
+  const Profile profile = extract_profile(flume.set, {}).profile;
+  for (const double x : {0.1, 0.2, 0.4}) {
+    EXPECT_NEAR(at(profile, profile.bed, x), 0, 0.1 * flume.spacing);
+    EXPECT_NEAR(at(profile, profile.floor, x), 0, 0.1 * flume.spacing);
+  }
+  EXPECT_NEAR(at(profile, profile.bed, 0.8), 0.02, 0.1 * flume.spacing);
+}
+
 // A film thinner than the kernel's support over a floor, over a bed, and the same with the floor out of reach below.
 TEST(ExtractProfile, ThinFilmsKeepTheirThickness) {
   for (const int layers : {1, 2, 3}) {
