@@ -29,7 +29,7 @@ def commit(folder):
     return described.stdout.strip() or "unknown"
 
 
-def command_line(ignored=("--resume", "--force")):
+def command_line(ignored=("--resume", "--force", "--add")):
     """The command that started this run, without folders of the machine."""
     words, skipped = [], False
     for word in sys.argv[1:]:
@@ -151,28 +151,51 @@ def notes(rows):
     return lines
 
 
-def page(planned, rows, made, base):
-    """The page; `base` is the folder from which links count, None for a page without links."""
+def command_of(made, expected):
+    """The command that makes the section of a case alone."""
+    options = [word for word in made["command"].split()[2:] if word in ("--full", "--no-repeats")]
+    return " ".join(["thalweg validate", *options, f"{expected.case.resolve().parent.name}/{expected.name}"])
+
+
+def section(expected, found, rows, made, base):
+    """The part of the page on a case; `base` is the folder from which links count, None for a page without links."""
     count = {verdict: sum(row.verdict == verdict for row in rows) for verdict in MARKS}
-    cpu = sum(float(member.facts()["cpu_seconds"]) for _, found in planned for _, run, repeats in found for member in (run, *repeats)
-              if not member.failure)
-    lines = ["# Validation", "",
-             f"Made by `{made['command']}`, program {made['program']}, commit {made['commit']}; {cpu:.0f} s of processor time in the solver, one "
-             "thread a run.",
-             f"**{len(rows)} figures: {count[outcome.PASS]} pass, {count[outcome.MISFIT]} known misfits, {count[outcome.FAIL]} fail, "
-             f"{count[outcome.NO_VERDICT]} without a verdict** because nothing is known to hold them against.", "",
-             "Errors are computed less known, 0 inside a known range. RMSE, bias and largest error have the quantity's unit; the judged error, "
-             "limit, data uncertainty and scatter have the unit in \"judged by\". Scatter: extent of the judged error over runs whose Courant "
-             "numbers differ by some ten-thousandths; without a known value, extent of the computed value. Order: slope of log error over log "
-             "spacing within a variant. `expected.toml` of each case holds limits and reasons (docs/expected.md)."]
-    for expected, found in planned:
-        mine = [row for row in rows if row.case == expected.name]
-        lines += ["", f"## {expected.name}", "", *runs_table(found, base), "", *figures_table(mine), "", *notes(mine)]
-    return "\n".join(lines) + "\n"
+    cpu = sum(float(member.facts()["cpu_seconds"]) for _, run, repeats in found for member in (run, *repeats) if not member.failure)
+    return "\n".join([
+        f"## {expected.name}", "",
+        f"{len(rows)} figures: {count[outcome.PASS]} pass, {count[outcome.MISFIT]} known misfits, {count[outcome.FAIL]} fail, "
+        f"{count[outcome.NO_VERDICT]} without a verdict. `{command_of(made, expected)}`, program {made['program']}, commit {made['commit']}, "
+        f"{cpu:.0f} s of processor time in the solver.", "", *runs_table(found, base), "", *figures_table(rows), "", *notes(rows)]) + "\n"
 
 
-def write(out, planned, rows, copy, made):
-    """Writes the tables into the folder `out`, and the page also to `copy` if that is given."""
+COUNTS = re.compile(r"^(\d+) figures: (\d+) pass, (\d+) known misfits, (\d+) fail, (\d+) without a verdict\. .*, (\d+) s of processor time", re.M)
+
+
+def sections_of(text):
+    """The sections of a page, by the name of the case."""
+    parts = re.split(r"^(?=## )", text, flags=re.M)[1:]
+    return {part.partition("\n")[0].removeprefix("## "): part.rstrip("\n") + "\n" for part in parts if COUNTS.search(part)}
+
+
+def page(sections):
+    """The page of sections, by the name of the case."""
+    figures, passed, misfits, fails, unknown, cpu = (sum(map(int, column)) for column in zip(*(
+        COUNTS.search(part).groups() for part in sections.values())))
+    head = ["# Validation", "",
+            f"Made by `thalweg validate`, one thread a run, {cpu} s of processor time in the solver. Every section says by which command, "
+            "program and commit.",
+            f"**{figures} figures: {passed} pass, {misfits} known misfits, {fails} fail, {unknown} without a verdict** because nothing is "
+            "known to hold them against.", "",
+            "Errors are computed less known, 0 inside a known range. RMSE, bias and largest error have the quantity's unit; the judged error, "
+            "limit, data uncertainty and scatter have the unit in \"judged by\". Scatter: extent of the judged error over runs whose Courant "
+            "numbers differ by some ten-thousandths; without a known value, extent of the computed value. Order: slope of log error over log "
+            "spacing within a variant. `expected.toml` of each case holds limits and reasons (docs/expected.md)."]
+    return "\n".join(head) + "\n\n" + "\n".join(sections.values())
+
+
+def write(out, planned, rows, made, copy=None, add=False):
+    """Writes the tables into the folder `out`, and the page also to `copy` if that is given; with `add` the sections of other cases that
+    `copy` holds stay."""
     out.mkdir(parents=True, exist_ok=True)
     comment = f"made by: {made['command']}, program {made['program']}, commit {made['commit']}"
     records = [record(row) for row in rows]
@@ -180,7 +203,13 @@ def write(out, planned, rows, copy, made):
     plain = [{**entry, "errors": asdict(row.found), "points": [asdict(point) for point in row.points[:1000]],
                        "report": os.path.relpath(row.run.folder / "report/index.html", out)} for entry, row in zip(records, rows)]
     (out / "validation.json").write_text(json.dumps({**made, "figures": plain}, indent=1) + "\n", encoding="utf-8")
-    (out / "validation.md").write_text(page(planned, rows, made, out), encoding="utf-8")
+
+    def sections(base):
+        return {expected.name: section(expected, found, [row for row in rows if row.case == expected.name], made, base)
+                for expected, found in planned}
+
+    (out / "validation.md").write_text(page(sections(out)), encoding="utf-8")
     if copy:
         copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_text(page(planned, rows, made, None), encoding="utf-8")
+        there = sections_of(copy.read_text(encoding="utf-8")) if add and copy.exists() else {}
+        copy.write_text(page(there | sections(None)), encoding="utf-8")

@@ -27,6 +27,7 @@ def arguments():
     resume.add_argument("--resume", action="store_true", help="goes on with the runs in OUT; what is finished is not run again")
     resume.add_argument("--force", action="store_true", help="replaces the runs in OUT")
     parser.add_argument("--page", type=pathlib.Path, metavar="FILE", help="writes the page also there, without links to reports")
+    parser.add_argument("--add", action="store_true", help="with --page: keeps the sections of other cases that FILE holds")
     parser.add_argument("--measures", action="store_true", help=f"prints the keys of {NAME} and all measures as the page docs/expected.md")
     return parser
 
@@ -86,6 +87,8 @@ def validate():
         return 0
     if given.jobs < 1:
         raise InputError(f"thalweg validate: --jobs is {given.jobs}; give 1 or more")
+    if given.add and not given.page:
+        raise InputError("thalweg validate: --add goes with --page; give the page that sections are added to")
     cases = chosen(given.cases)
     thalweg = engine.program()
     out = given.out.resolve()
@@ -105,7 +108,7 @@ def validate():
         for row in outcome.rows_of(expected, found):
             rows.append(row)
             say(pages.line(row))
-    pages.write(out, planned, rows, given.page, pages.origin(thalweg, planned[0][0].case))
+    pages.write(out, planned, rows, pages.origin(thalweg, planned[0][0].case), given.page, given.add)
     failed = [row for row in rows if row.verdict == outcome.FAIL]
     misfits = [row for row in rows if row.verdict == outcome.MISFIT]
     passed = sum(row.verdict == outcome.PASS for row in rows)

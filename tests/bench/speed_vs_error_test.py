@@ -111,6 +111,16 @@ class OnMesh(unittest.TestCase):
             middle = norms.rms(law.velocity(z) for z in self.heights[1:-1])
             self.assertAlmostEqual(rows, (factor - 1) * middle / mean, delta=1e-9)
 
+    def test_a_jet_that_slows_down_as_measured_has_no_error(self):
+        jet = PROBLEMS["wall_jet"]
+        speeds = {place: jet.velocity * 3.5 / math.sqrt(place) for place in jet.places}
+        rows = [(place * jet.opening, z, share * speed, 1.0) for place, speed in speeds.items() for z, share in ((0.002, 0.6), (0.007, 1.0))]
+        beyond = [(20 * jet.opening, 0.002, 9.0, 1.0), (17 * jet.opening, 0.15, 9.0, 1.0)]  # between two places, and above the rows
+        self.assertEqual(jet.of_samples(rows + beyond, 0.005), {"decay": 0, "mean": 0})
+        errors = jet.of_samples([(x, z, 0.9 * u, weight) for x, z, u, weight in rows], 0.005)
+        self.assertAlmostEqual(errors["decay"], 0.1)
+        self.assertAlmostEqual(errors["mean"], -0.1)
+
     def test_distances_of_profiles(self):
         level = [{"x": 0.1 * i, "bed": 0.02} for i in range(5)]
         ramp = [{"x": 0.05 * i, "bed": 0.02 + 0.003} for i in range(9)]

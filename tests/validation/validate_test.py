@@ -42,6 +42,23 @@ class Validate(unittest.TestCase):
         self.assertTrue((self.out / report[:report.index(")")]).is_file(), "the page's link leads nowhere")
         self.assertEqual(json.loads((self.out / "validation.json").read_text())["figures"][0]["verdict"], "pass")
 
+    def test_a_page_keeps_the_sections_of_other_cases(self):
+        page = self.folder / "page.md"
+        self.folder.mkdir(parents=True)
+        others = ("# Validation\n\n## pier\n\n5 figures: 2 pass, 1 known misfits, 1 fail, 1 without a verdict. `thalweg validate cases/pier`, "
+                  "program thalweg 0.1.0, commit abc, 40 s of processor time in the solver.\n\n| run |\n|---|\n")
+        page.write_text(others + "\n" + others.replace("# Validation\n\n", "").replace("pier", "tank"))
+        result = self.validate(level(), "--page", page, "--add")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        text = page.read_text()
+        self.assertIn("**6 figures: 3 pass, 1 known misfits, 1 fail, 1 without a verdict**", text)  # with the tank's own, in place of five
+        self.assertEqual((text.count("## pier\n"), text.count("## tank\n"), text.count("| run |\n")), (1, 1, 1))
+        self.validate(level(), "--page", page, "--resume")
+        self.assertNotIn("## pier", page.read_text())
+        refused = self.validate(level(), "--add", "--resume")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--add goes with --page", refused.stderr)
+
     def test_quiet_says_nothing_and_json_is_one_object(self):
         result = self.validate(level(), "--quiet")
         self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
