@@ -253,18 +253,21 @@ Generated generate_in_ranges(const Case& scene, const GenerateOptions& options,
   ParticleMaker maker(result.resolved, shapes, filling, start, summary.sound_speed);
   NamedNode node(lattice);
   Seam seam(result.resolved);
-  ParticleSet range;
-  while (!maker.is_done()) {
+  const auto next_range = [&] {
     const Columns columns = maker.next_columns(in_ranges ? options.nodes_at_once : lattice.nodes());
-    range = maker.make(columns);
-    node.look(range);
-    seam.look(range);
-    range.info.lattice_node = node.anchor();
-    require_bed_on_ground(result.resolved, range);
-    start_flow(result.resolved, shapes, filling, columns, range);
-    if (maker.is_done()) break;
+    ParticleSet made = maker.make(columns);
+    node.look(made);
+    seam.look(made);
+    made.info.lattice_node = node.anchor();
+    require_bed_on_ground(result.resolved, made);
+    start_flow(result.resolved, shapes, filling, columns, made);
+    return made;
+  };
+  ParticleSet range = next_range();
+  while (!maker.is_done()) {
     summary.count(range);
     take(std::move(range));
+    range = next_range();
   }
   seam.require_water();
   summary.largest_pressure = maker.largest_pressure();

@@ -65,8 +65,8 @@ ParticleSet range_of(const ParticleSet& all, std::size_t from, std::size_t to) {
 
 class RangedParticleFileTest : public testing::Test {
  protected:
-  RangedParticleFileTest() { std::filesystem::create_directories(folder); }
-  ~RangedParticleFileTest() override { std::filesystem::remove_all(folder); }
+  RangedParticleFileTest() { std::filesystem::create_directories(folder_); }
+  ~RangedParticleFileTest() override { std::filesystem::remove_all(folder_); }
 
   static std::string text_of(const std::filesystem::path& file) {
     std::ostringstream text;
@@ -74,7 +74,7 @@ class RangedParticleFileTest : public testing::Test {
     return text.str();
   }
   void write_in_ranges(const ParticleSet& all, std::vector<std::size_t> ends) const {
-    RangedParticleFile file(folder / "ranges.vtp");
+    RangedParticleFile file(folder_ / "ranges.vtp");
     ends.push_back(all.size());
     std::size_t from = 0;
     for (const std::size_t to : ends) {
@@ -84,17 +84,17 @@ class RangedParticleFileTest : public testing::Test {
     file.finish(all.info);
   }
   void expect_same(const ParticleSet& all, const std::vector<std::size_t>& ends) const {
-    write_particles(folder / "whole.vtp", all, PositionPrecision::double_precision);
+    write_particles(folder_ / "whole.vtp", all, PositionPrecision::double_precision);
     write_in_ranges(all, ends);
-    const std::string whole = text_of(folder / "whole.vtp");
-    const std::string ranges = text_of(folder / "ranges.vtp");
+    const std::string whole = text_of(folder_ / "whole.vtp");
+    const std::string ranges = text_of(folder_ / "ranges.vtp");
     ASSERT_EQ(ranges.size(), whole.size());
     const auto differs = std::mismatch(whole.begin(), whole.end(), ranges.begin()).first - whole.begin();
     EXPECT_TRUE(ranges == whole) << "from byte " << differs << " on";
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2) << "a temporary file is left";
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 2) << "a temporary file is left";
   }
 
-  std::filesystem::path folder =
+  std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
@@ -110,7 +110,7 @@ TEST_F(RangedParticleFileTest, HasAMassOnceThatAllParticlesHave) {
   ParticleSet all = mixed_particles(3000);
   std::fill(all.mass.begin(), all.mass.end(), 0.25F);
   expect_same(all, {1000, 2000});
-  EXPECT_EQ(read_particles(folder / "ranges.vtp").mass, all.mass);
+  EXPECT_EQ(read_particles(folder_ / "ranges.vtp").mass, all.mass);
 }
 
 TEST_F(RangedParticleFileTest, HasNoArraysThatTheSetHasNot) {
@@ -125,17 +125,17 @@ TEST_F(RangedParticleFileTest, OfTwoParticles) { expect_same(mixed_particles(2),
 
 TEST_F(RangedParticleFileTest, RefusesRangesOfDifferentArrays) {
   const ParticleSet all = mixed_particles(100);
-  RangedParticleFile file(folder / "ranges.vtp");
+  RangedParticleFile file(folder_ / "ranges.vtp");
   file.add(range_of(all, 0, 50));
   ParticleSet other = range_of(all, 50, 100);
   other.pressure.clear();
   EXPECT_THROW(file.add(other), RunError);
-  EXPECT_FALSE(std::filesystem::exists(folder / "ranges.vtp"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "ranges.vtp"));
 }
 
 TEST_F(RangedParticleFileTest, LeavesNothingIfItIsNotFinished) {
-  { RangedParticleFile(folder / "ranges.vtp").add(mixed_particles(5000)); }
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  { RangedParticleFile(folder_ / "ranges.vtp").add(mixed_particles(5000)); }
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
 }  // namespace
