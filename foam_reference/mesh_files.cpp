@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "foam_reference/case_files.hpp"
 #include "foam_reference/dictionary.hpp"
@@ -190,24 +191,23 @@ std::string flow_set(const FoamCase& foam_case, double roughness, bool is_last) 
 
 std::string walls_beside(std::size_t solids) { return "beside_" + solids_patch(solids); }
 
-// The patches of solids that close a part of the block's outer face, each once.
-std::vector<std::size_t> closing_solids(const FoamCase& foam_case) {
-  std::vector<std::size_t> found;
-  for (const SolidFaces& faces : solid_faces(foam_case)) found.push_back(faces.solids);
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+// The faces of the block's outer face that solids close, by the patch of the solids.
+using ClosedFaces = std::map<std::size_t, std::vector<Bounds>>;
+
+ClosedFaces closed_faces(const FoamCase& foam_case) {
+  ClosedFaces found;
+  for (const SolidFaces& faces : solid_faces(foam_case)) found[faces.solids].push_back(faces.bounds);
   return found;
 }
 
-// The faces of the block's outer face that solids close, one set for each patch of solids.
-std::string wall_sets(const FoamCase& foam_case) {
+// A set for each patch of solids.
+std::string wall_sets(const FoamCase& foam_case, const ClosedFaces& closed) {
   std::string text;
-  for (const std::size_t solids : closing_solids(foam_case)) {
+  for (const auto& [solids, boxes] : closed) {
     std::string action = "new";
-    for (const SolidFaces& faces : solid_faces(foam_case)) {
-      if (faces.solids != solids) continue;
+    for (const Bounds& bounds : boxes) {
       text += face_action(walls_beside(solids), action,
-                          {"boxToFace", "box " + vector(faces.bounds.low) + " " + vector(faces.bounds.high) + ";"});
+                          {"boxToFace", "box " + vector(bounds.low) + " " + vector(bounds.high) + ";"});
       action = "add";
     }
     text += face_action(walls_beside(solids), "subset", {"patchToFace", "patch atmosphere;"});
@@ -219,7 +219,7 @@ std::string wall_sets(const FoamCase& foam_case) {
 }
 
 // The faces of each inlet and outlet, and of the solids beside them.
-std::string opening_sets(const FoamCase& foam_case) {
+std::string opening_sets(const FoamCase& foam_case, const ClosedFaces& closed) {
   std::string text;
   for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
     const Bounds bounds = bounds_of(patch, foam_case.plan, foam_case.scene.info.dimension);
@@ -234,17 +234,17 @@ std::string opening_sets(const FoamCase& foam_case) {
     text += face_action(patch.patch, "new", source) +
             face_action(patch.patch, "subset", {"patchToFace", "patch \"(walls|atmosphere)\";"});
   }
-  return "actions\n(\n" + text + wall_sets(foam_case) + ");\n";
+  return "actions\n(\n" + text + wall_sets(foam_case, closed) + ");\n";
 }
 
-std::string create_patches(const FoamCase& foam_case) {
+std::string create_patches(const FoamCase& foam_case, const ClosedFaces& closed) {
   std::string text;
   for (const OpeningPatch& patch : opening_patches(foam_case.scene)) {
     text +=
         substitute("    { name %name%; patchInfo { type patch; } constructFrom set; set %name%; }  // \"%called%\"\n",
                    {{"name", patch.patch}, {"called", patch.opening->name}});
   }
-  for (const std::size_t solids : closing_solids(foam_case)) {
+  for (const auto& [solids, boxes] : closed) {
     text += substitute("    { name %name%; patchInfo { type wall; } constructFrom set; set %set%; }\n",
                        {{"name", solids_patch(solids)}, {"set", walls_beside(solids)}});
   }
@@ -339,10 +339,11 @@ CaseFiles mesh_files(const FoamCase& foam_case) {
         flow_set(foam_case, solids[i], i + 1 == solids.size()));
   }
   if (!opening_patches(scene).empty()) {
+    const ClosedFaces closed = closed_faces(foam_case);
     add("topoSetDict.openings", "The faces of inlets and outlets and of walls beside them, by their centres.",
-        opening_sets(foam_case));
+        opening_sets(foam_case, closed));
     add("createPatchDict", "Inlets and outlets as patches of their own; walls beside them to the solids.",
-        create_patches(foam_case));
+        create_patches(foam_case, closed));
   }
   if (const std::string sets = combined_sets(foam_case); !sets.empty()) {
     add("topoSetDict.shapes", "Cell sets of the combined shapes that setFields fills.", "actions\n(\n" + sets + ");\n");

@@ -1,5 +1,6 @@
 #include "common/io/block_spool.hpp"
 
+#include <vtkBase64Utilities.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -24,39 +25,25 @@ class Base64 {
   void add(std::string_view bytes) {
     left_.append(bytes);
     const std::size_t whole = left_.size() / 3 * 3;
-    hand_over(std::string_view(left_).substr(0, whole));
+    hand_over(whole);
     left_.erase(0, whole);
   }
   void end() {
-    if (left_.empty()) return;
-    const std::size_t bytes = left_.size();
-    left_.resize(3, '\0');
-    std::string text = encoded(left_);
-    for (std::size_t c = bytes + 1; c < 4; ++c) text[c] = '=';
-    sink_(text);
+    hand_over(left_.size());
     left_.clear();
   }
 
  private:
-  static std::string encoded(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() / 3 * 4);
-    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
-      const auto byte = [&](std::size_t k) {
-        return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k]));
-      };
-      const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
-      for (int shift = 18; shift >= 0; shift -= 6) text += digits[three >> shift & 63];
-    }
-    return text;
-  }
-  void hand_over(std::string_view bytes) {
-    if (!bytes.empty()) sink_(encoded(bytes));
+  void hand_over(std::size_t bytes) {
+    if (bytes == 0) return;
+    std::string text((bytes + 2) / 3 * 4, '\0');
+    vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(left_.data()), bytes,
+                               reinterpret_cast<unsigned char*>(text.data()));
+    sink_(text);
   }
 
   const std::function<void(std::string_view)>& sink_;
-  std::string left_;  // less than three bytes
+  std::string left_;  // less than three bytes between two calls
 };
 
 std::string_view size_bytes(const std::vector<std::uint64_t>& numbers) {

@@ -12,6 +12,7 @@
 
 #include "common/error.hpp"
 #include "common/io/file_seal.hpp"
+#include "common/io/particle_file.hpp"
 #include "common/io/particle_skeleton.hpp"
 #include "common/particle_arrays.hpp"
 #include "common/whole_file.hpp"
@@ -163,10 +164,21 @@ void RangedParticleFile::add_vertices() {
   }
 }
 
+/// A skeleton has two particles. One alone is written as it is: it is both the least and the largest.
+void RangedParticleFile::write_only_particle() {
+  const auto halve = [](auto& array) { array.resize(array.size() / 2); };
+  for_each_array(extremes_, [&](const char*, auto& array) { halve(array); });
+  halve(extremes_.position);
+  for (auto& [name, array] : extremes_.scalars) halve(array);
+  for (auto& [name, array] : extremes_.doubles) halve(array);
+  write_particles(file_, extremes_, PositionPrecision::double_precision);
+}
+
 void RangedParticleFile::finish(const ParticleFileInfo& info) {
-  if (size_ < 2) throw RunError(file_.string() + ": cannot be written: a file in ranges needs two particles");
-  add_vertices();
+  if (size_ < 1) throw RunError(file_.string() + ": cannot be written: there are no particles");
   extremes_.info = info;
+  if (size_ == 1) return write_only_particle();
+  add_vertices();
   std::string skeleton = particle_skeleton(file_, extremes_, size_);
   for (const std::string attribute : {"NumberOfPoints=\"", "NumberOfVerts=\""}) {
     const auto at = skeleton.find(attribute + "2\"");

@@ -22,7 +22,7 @@ class RangedParticleFile {
   /// RunError: an array that does not fit the number of particles, or another range's; a disk that is full.
   void add(const ParticleSet& range);
 
-  /// Writes the file, which appears whole or not at all. There have to be two particles or more.
+  /// Writes the file, which appears whole or not at all. Throws RunError without a particle.
   void finish(const ParticleFileInfo& info);
 
   [[nodiscard]] std::int64_t size() const { return size_; }
@@ -33,6 +33,7 @@ class RangedParticleFile {
   void add_array(const std::string& of_file, const std::vector<T>& array, std::vector<T>& extremes, std::size_t n);
   BlockSpool& spool(const std::string& of_file);
   void add_vertices();
+  void write_only_particle();
 
   std::filesystem::path file_;
   std::int64_t size_ = 0;

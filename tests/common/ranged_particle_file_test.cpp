@@ -122,6 +122,7 @@ TEST_F(RangedParticleFileTest, HasNoArraysThatTheSetHasNot) {
 }
 
 TEST_F(RangedParticleFileTest, OfTwoParticles) { expect_same(mixed_particles(2), {1}); }
+TEST_F(RangedParticleFileTest, OfOneParticle) { expect_same(mixed_particles(1), {}); }
 
 TEST_F(RangedParticleFileTest, RefusesRangesOfDifferentArrays) {
   const ParticleSet all = mixed_particles(100);
