@@ -17,7 +17,7 @@ class WallJet:
     velocity = 1.2     # [m/s] U
     height = 0.1       # [m] of the rows that are looked at
     places = (15, 17, 19, 21, 23, 25)
-    begin = 5.0        # [s] of 8; the mesh's jet takes 4 s to reach the last place
+    begin = 5.0        # [s] of 8; the mesh's jet takes 3 s to reach the last place
 
     def errors(self, run, finest=None):
         samples = []
