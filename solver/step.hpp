@@ -110,6 +110,7 @@ void move_by_leapfrog(Step<Dim, Device>& s) {
   s.time("drift", [&] { drift(on, p, scene, s.state, 0.5); });
   AllModels::all<stage::AtHalfWay>(s);
   AllModels::first<stage::AtRates>(s, [&] { compute_density_rates(on, p, scene); });
+  AllModels::all<stage::AddRates>(s);
   s.time("drift", [&] { update_density_and_drift(on, p, scene, s.state, 0.5); });
   AllModels::all<stage::AtArrival>(s);
 }

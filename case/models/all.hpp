@@ -12,6 +12,7 @@
 #include "case/models/shifting.hpp"
 #include "case/models/surface_bed.hpp"
 #include "case/models/suspended_load.hpp"
+#include "case/models/thin_film.hpp"
 #include "case/models/three_state.hpp"
 #include "case/models/turbulence.hpp"
 #include "case/models/wall_friction.hpp"
@@ -19,9 +20,9 @@
 namespace thalweg::models {
 
 /// Every optional model, in the order in which their rules are checked.
-using All =
-    std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, OpenBoundaries,
-               WallStress, MixingLength, SubParticleStress, ParticleShifting, SuspendedLoadOfWater, SurfaceBedOfCase>;
+using All = std::tuple<MovingWalls, ThreeState, SedimentMotion, Mixture, PorePressure, Rest, DrivenFlow, OpenBoundaries,
+                       WallStress, MixingLength, SubParticleStress, ParticleShifting, ThinFilms, SuspendedLoadOfWater,
+                       SurfaceBedOfCase>;
 
 /// Calls check(rule) for each rule of each model that is on.
 template <class Check>

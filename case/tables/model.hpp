@@ -34,6 +34,7 @@ struct Model {
   Turbulence turbulence = Turbulence::off;
   SeepageModel seepage = SeepageModel::off;
   PorePressureModel pore_pressure = PorePressureModel::off;
+  bool thin_films = false;
 
   template <class V>
   void describe(V& v) {
@@ -62,6 +63,10 @@ struct Model {
            "to nothing until something wakes it.");
     v.choice("seepage", seepage, "Whether water moves through the bed (docs/theory.md).");
     v.choice("pore_pressure", pore_pressure, "Excess pore pressure in a bed of one fluid (docs/theory.md).");
+    v.flag("thin_films", thin_films,
+           "Water one particle deep on a wall gets thinner where it is stretched, and its middle stays at half of its "
+           "depth. Without it such water sinks through the wall (docs/theory.md): for waves over dry floors at coarse "
+           "spacings.");
   }
 
   /// implementation = "paper" and a driven flow set the defaults of other keys.

@@ -17,6 +17,7 @@
 #include "solver/models/sub_particle/model.hpp"
 #include "solver/models/surface_bed/model.hpp"
 #include "solver/models/suspended_load/model.hpp"
+#include "solver/models/thin_film/model.hpp"
 #include "solver/models/wall_stress/model.hpp"
 
 // The models that a solver has. A model is a struct of static functions (models/NAME/model.hpp) and may bring
@@ -34,8 +35,9 @@
 namespace thalweg {
 
 /// The list. Within a stage models run in this order.
-using AllModels = ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel,
-                            SubParticleModel, StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel,
-                            ShiftingModel, MixingLengthModel, CurrentModel, OpeningsModel, SurfaceBedModel>;
+using AllModels =
+    ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, SubParticleModel,
+              StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel, ThinFilmModel, ShiftingModel,
+              MixingLengthModel, CurrentModel, OpeningsModel, SurfaceBedModel>;
 
 }  // namespace thalweg

@@ -98,6 +98,13 @@ struct AtHalfWay {
     return M::at_half_way(step);
   }
 };
+/// After the density rates: terms of models, added to them.
+struct AddRates {
+  template <class M, class C>
+  static auto run(C& step) -> decltype(M::add_rates(step)) {
+    return M::add_rates(step);
+  }
+};
 struct AtArrival {
   template <class M, class C>
   static auto run(C& step) -> decltype(M::at_arrival(step)) {

@@ -98,6 +98,8 @@ void announce_choices(const Case& of) {
   announce("numerics.precision", of.numerics.precision, Numerics{}.precision);
   announce("model.turbulence", of.model.turbulence, Model{}.turbulence);
   announce("model.wall_friction", of.model.wall_friction, Model{}.wall_friction);
+  if (of.model.thin_films)
+    spdlog::info("model.thin_films: films of water on walls get thinner where they are stretched");
   announce("numerics.shifting", of.numerics.shifting, Shifting::off);
   announce_flow(of);
   announce_openings(of);
