@@ -109,7 +109,8 @@ int gencase(int argc, char** argv) {
     thalweg::say("checked only: nothing written");
     return static_cast<int>(thalweg::Exit::done);
   }
-  file->finish(generated.particles.info);
+  if (file->size() == 0) throw thalweg::RunError(folder.particles().string() + ": cannot be written: no particles");
+  file->finish({generated.particles.info});
   thalweg::write_case(folder.resolved_case(), generated.resolved);
   thalweg::say(fmt::format("written: {} and {}", folder.particles().string(), folder.resolved_case().string()));
   return static_cast<int>(thalweg::Exit::done);

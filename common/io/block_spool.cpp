@@ -1,22 +1,17 @@
 #include "common/io/block_spool.hpp"
 
 #include <vtkBase64Utilities.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <stdexcept>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "common/error.hpp"
 
 namespace thalweg {
 namespace {
-
-/// As the writer of whole files does (poly_data_file.cpp): VTK's size of a block, and the quickest compression.
-constexpr std::size_t block_size = 32768;
-constexpr int compression_level = 1;
 
 /// Base64 of bytes that come in parts.
 class Base64 {
@@ -62,49 +57,65 @@ BlockSpool::~BlockSpool() {
   std::filesystem::remove(file_, ignored);
 }
 
-void BlockSpool::add(std::string_view bytes) {
-  while (!bytes.empty()) {
-    if (pending_.empty() && bytes.size() >= block_size) {
-      compress_block(bytes.substr(0, block_size));
-      bytes.remove_prefix(block_size);
-      continue;
-    }
-    const std::size_t taken = std::min(bytes.size(), block_size - pending_.size());
-    pending_.append(bytes.substr(0, taken));
-    bytes.remove_prefix(taken);
-    if (pending_.size() == block_size) compress_block(std::exchange(pending_, {}));
-  }
-}
-
-void BlockSpool::compress_block(std::string_view block) {
-  std::string compressed(compressBound(block.size()), '\0');
-  uLongf size = compressed.size();
-  compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(block.data()),
-            block.size(), compression_level);
-  compressed_.push_back(size);
-  last_block_ = block.size();
-  if (!kept_.write(compressed.data(), static_cast<std::streamsize>(size))) {
+void BlockSpool::put(const BlockPiece& piece) {
+  kept_.seekp(static_cast<std::streamoff>(end_));
+  if (!kept_.write(piece.bytes.data(), static_cast<std::streamsize>(piece.bytes.size()))) {
     throw RunError(file_.string() + ": cannot be written; is the disk full?");
   }
+  const auto size = static_cast<std::uint32_t>(piece.bytes.size());
+  pieces_.push_back({piece.block, end_, static_cast<std::uint32_t>(piece.at), size, piece.is_compressed});
+  end_ += size;
+}
+
+std::string BlockSpool::bytes_of(const Kept& piece) {
+  std::string bytes(piece.size, '\0');
+  kept_.seekg(static_cast<std::streamoff>(piece.place));
+  if (!kept_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+    throw RunError(file_.string() + ": cannot be read again; is the disk full?");
+  }
+  return bytes;
+}
+
+/// A block whose parts have come from several places.
+std::string BlockSpool::joined(Pieces from, Pieces to) {
+  std::string block;
+  for (; from != to; ++from) {
+    if (from->is_compressed || from->at != block.size()) throw std::logic_error("a block lacks a part");
+    block += bytes_of(*from);
+  }
+  return block;
+}
+
+/// Sorts the pieces, and makes one of the parts of every block. Returns the size of the last block [bytes].
+std::uint64_t BlockSpool::join_parts() {
+  const auto place = [](const Kept& piece) { return std::tuple(piece.block, piece.at); };
+  std::sort(pieces_.begin(), pieces_.end(), [&](const Kept& a, const Kept& b) { return place(a) < place(b); });
+  const std::vector<Kept> all = std::exchange(pieces_, {});
+  std::uint64_t last = block_size;
+  for (auto from = all.begin(); from != all.end();) {
+    const auto to = std::find_if(from, all.end(), [&](const Kept& piece) { return piece.block != from->block; });
+    if (from->block != pieces_.size() || last != block_size) throw std::logic_error("an array lacks a block");
+    if (from->is_compressed) {
+      pieces_.push_back(*from);
+    } else {
+      const std::string block = joined(from, to);
+      last = block.size();
+      put({from->block, 0, true, compressed_block(block)});
+    }
+    from = to;
+  }
+  return last;
 }
 
 void BlockSpool::write_to(const std::function<void(std::string_view)>& sink) {
-  if (!pending_.empty()) compress_block(std::exchange(pending_, {}));
+  const std::uint64_t last = join_parts();
   // The number of blocks, their size, that of the last one if it is smaller, and their compressed sizes.
-  std::vector<std::uint64_t> sizes{compressed_.size(), block_size, last_block_ == block_size ? 0 : last_block_};
-  sizes.insert(sizes.end(), compressed_.begin(), compressed_.end());
+  std::vector<std::uint64_t> sizes{pieces_.size(), block_size, last == block_size ? 0 : last};
+  for (const Kept& piece : pieces_) sizes.push_back(piece.size);
   Base64 text(sink);
   text.add(size_bytes(sizes));
   text.end();
-  kept_.flush();
-  kept_.seekg(0);
-  std::string part(std::size_t{3} << 18, '\0');
-  for (std::uint64_t left = 0, all = 0;; left = all) {
-    kept_.read(part.data(), static_cast<std::streamsize>(part.size()));
-    all = left + static_cast<std::uint64_t>(kept_.gcount());
-    if (all == left) break;
-    text.add(std::string_view(part).substr(0, all - left));
-  }
+  for (const Kept& piece : pieces_) text.add(bytes_of(piece));
   text.end();
 }
 

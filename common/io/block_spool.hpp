@@ -8,10 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "common/packed_particles.hpp"
+
 namespace thalweg {
 
-/// The numbers of an array on their way into a VTK XML file: compressed block by block, and kept in a temporary file until all
-/// are there, because the sizes of the blocks stand before them.
+/// The blocks of an array on their way into a VTK XML file, in any order. They are kept in a temporary file until all are
+/// there, because their sizes stand before them.
 class BlockSpool {
  public:
   /// `file` is made, and removed at the end.
@@ -20,20 +22,32 @@ class BlockSpool {
   BlockSpool(const BlockSpool&) = delete;
   BlockSpool& operator=(const BlockSpool&) = delete;
 
-  /// Adds bytes to the end. Throws RunError if the disk is full.
-  void add(std::string_view bytes);
+  /// Throws RunError if the disk is full.
+  void put(const BlockPiece& piece);
 
-  /// Hands the array's text over in parts, sizes first, in base64. Nothing is added any more.
+  /// Hands the array's text over in parts, sizes first, in base64. No piece is put any more. Throws RunError if a temporary
+  /// file cannot be read, and std::logic_error if a part of a block is missing.
   void write_to(const std::function<void(std::string_view)>& sink);
 
  private:
-  void compress_block(std::string_view block);
+  /// A piece in the temporary file.
+  struct Kept {
+    std::uint64_t block;
+    std::uint64_t place;  // [bytes]
+    std::uint32_t at;
+    std::uint32_t size;  // [bytes]
+    bool is_compressed;
+  };
+  using Pieces = std::vector<Kept>::const_iterator;
+
+  [[nodiscard]] std::string bytes_of(const Kept& piece);
+  [[nodiscard]] std::string joined(Pieces from, Pieces to);
+  [[nodiscard]] std::uint64_t join_parts();
 
   std::filesystem::path file_;
   std::fstream kept_;
-  std::string pending_;  // less than a block
-  std::uint64_t last_block_ = 0;
-  std::vector<std::uint64_t> compressed_;  // sizes of the blocks
+  std::uint64_t end_ = 0;  // of the temporary file [bytes]
+  std::vector<Kept> pieces_;
 };
 
 }  // namespace thalweg

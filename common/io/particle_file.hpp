@@ -5,13 +5,10 @@
 #include <string>
 
 #include "common/particles.hpp"
+#include "common/position_precision.hpp"
 #include "common/whole_file.hpp"
 
 namespace thalweg {
-
-/// Precision of the positions in a particle file: single for snapshots, which are looked at, double for particles.vtp
-/// and checkpoints, from which a run goes on.
-enum class PositionPrecision { single_precision, double_precision };
 
 /// Writes all arrays and facts of `particles` as VTK XML PolyData (inline binary, zlib, 64-bit header, Verts, FieldData
 /// TimeValue; docs/file-formats.md). The file appears whole or not at all (temporary name, then rename). Throws

@@ -11,7 +11,6 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <string_view>
 #include <type_traits>
@@ -43,7 +42,7 @@ class Writer {
   Writer(const fs::path& file, const ParticleSet& particles, std::int64_t total)
       : file_(file), particles_(particles), total_(total) {}
 
-  vtkSmartPointer<vtkPolyData> poly_data(PositionPrecision precision) {
+  vtkSmartPointer<vtkPolyData> poly_data(PositionPrecision precision, const std::map<std::string, std::string>& texts) {
     points(precision);
     vertices();
     for_each_array(particles_, [&](const char* name, const auto& values) {
@@ -61,6 +60,7 @@ class Writer {
     for (const auto& [name, numbers] : particles_.facts) {
       data_->GetFieldData()->AddArray(view(name.c_str(), numbers.data(), numbers.size(), 1));
     }
+    for (const auto& [name, text] : texts) add_fact(data_, name.c_str(), text);
     return data_;
   }
 
@@ -99,14 +99,10 @@ class Writer {
     array(name.c_str(), values.data(), values.size(), static_cast<int>(components));
   }
 
-  /// Far from the origin (a UTM easting, a river's chainage) single precision cannot tell a hundredth of the spacing.
   [[nodiscard]] PositionPrecision sufficient(PositionPrecision asked) const {
     double farthest = 0;
     for (const Vec3& p : particles_.position) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-    const double rounding = 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * farthest;
-    return rounding > 0.01 * particles_.info.spacing && particles_.info.spacing > 0
-               ? PositionPrecision::double_precision
-               : asked;
+    return sufficient_precision(asked, farthest, particles_.info.spacing);
   }
 
   void points(PositionPrecision asked) {
@@ -164,14 +160,13 @@ class Writer {
 void write_particles(const fs::path& file, const ParticleSet& particles, PositionPrecision precision,
                      const std::map<std::string, std::string>& texts, const WholeFile& how) {
   Writer contents(file, particles, static_cast<std::int64_t>(particles.size()));
-  const vtkSmartPointer<vtkPolyData> data = contents.poly_data(precision);
-  for (const auto& [name, text] : texts) add_fact(data, name.c_str(), text);
-  write_poly_data(file, data, how);
+  write_poly_data(file, contents.poly_data(precision, texts), how);
 }
 
-std::string particle_skeleton(const fs::path& file, const ParticleSet& extremes, std::int64_t total) {
+std::string particle_skeleton(const fs::path& file, const ParticleSet& extremes, std::int64_t total,
+                              PositionPrecision precision, const std::map<std::string, std::string>& texts) {
   Writer contents(file, extremes, total);
-  return poly_data_text(file, contents.poly_data(PositionPrecision::double_precision));
+  return poly_data_text(file, contents.poly_data(precision, texts));
 }
 
 }  // namespace thalweg

@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -81,11 +84,32 @@ class RangedParticleFileTest : public testing::Test {
       file.add(range_of(all, from, to));
       from = to;
     }
-    file.finish(all.info);
+    file.finish({all.info});
   }
   void expect_same(const ParticleSet& all, const std::vector<std::size_t>& ends) const {
     write_particles(folder_ / "whole.vtp", all, PositionPrecision::double_precision);
     write_in_ranges(all, ends);
+    expect_same_files();
+  }
+  /// As ranks do it: everyone packs what lies between two ends, in steps, and the last one is the first to hand it over.
+  void expect_same_packed(const ParticleSet& all, const std::vector<std::size_t>& ends, std::size_t step) const {
+    const PositionPrecision single = PositionPrecision::single_precision;
+    const std::map<std::string, std::string> texts{{"Case", "[case]\n"}};
+    write_particles(folder_ / "whole.vtp", all, single, texts);
+    {
+      RangedParticleFile file(folder_ / "ranges.vtp");
+      for (std::size_t part = ends.size(); part-- > 1;) {
+        ParticlePacker packer(ends[part - 1], single);
+        for (std::size_t from = ends[part - 1]; from < ends[part]; from += step) {
+          file.add(packer.add(range_of(all, from, std::min(ends[part], from + step))));
+        }
+        file.add(packer.end());
+      }
+      file.finish({all.info, all.facts, texts, single});
+    }
+    expect_same_files();
+  }
+  void expect_same_files() const {
     const std::string whole = text_of(folder_ / "whole.vtp");
     const std::string ranges = text_of(folder_ / "ranges.vtp");
     ASSERT_EQ(ranges.size(), whole.size());
@@ -119,6 +143,38 @@ TEST_F(RangedParticleFileTest, HasNoArraysThatTheSetHasNot) {
   all.normal.clear();
   all.scalars.clear();
   expect_same(all, {100});
+}
+
+TEST_F(RangedParticleFileTest, HasTheBytesOfOneThatIsWrittenAtOnceWherePartsArePackedByThemselves) {
+  ParticleSet all = mixed_particles(20000);
+  all.facts["Population"] = {20000, 0.5, 0, 1e-9};
+  expect_same_packed(all, {0, 5000, 5000, 5001, 5003, 12288, 20000}, 1000);
+  expect_same_packed(all, {0, 1, 20000}, 20000);
+}
+
+// A run that has diverged.
+TEST_F(RangedParticleFileTest, HasNumbersThatAreNoneOrInfinite) {
+  ParticleSet all = mixed_particles(9000);
+  for (const std::size_t i : {0U, 1U, 4500U, 8999U}) {
+    all.velocity[i].x() = NAN;
+    all.pressure[i] = NAN;
+    all.density[i] = i % 2 == 0 ? INFINITY : -INFINITY;
+    all.position[i].x() = NAN;
+  }
+  expect_same_packed(all, {0, 1, 4096, 9000}, 2000);
+  std::fill(all.pressure.begin(), all.pressure.end(), NAN);
+  expect_same_packed(all, {0, 1, 4096, 9000}, 2000);
+}
+
+TEST_F(RangedParticleFileTest, RefusesAFileThatLacksAPart) {
+  const ParticleSet all = mixed_particles(100);
+  RangedParticleFile file(folder_ / "ranges.vtp");
+  for (const std::size_t from : {0U, 60U}) {
+    ParticlePacker packer(from, PositionPrecision::double_precision);
+    file.add(packer.add(range_of(all, from, from + 40)));
+    file.add(packer.end());
+  }
+  EXPECT_THROW(file.finish({all.info}), std::logic_error);
 }
 
 TEST_F(RangedParticleFileTest, OfTwoParticles) { expect_same(mixed_particles(2), {1}); }
