@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <vector>
 
 #include "common/error.hpp"
 #include "common/io/file_seal.hpp"
@@ -20,19 +21,31 @@ constexpr const char* case_fact = "Case";
 constexpr const char* arrays_fact = "Arrays";
 constexpr const char* counts_fact = "RunCounts";
 
-/// Every array of a set with the number of its entries, a line each.
-std::string array_list(const ParticleSet& particles) {
+/// Every array with the number of its entries, a line each, and every fact: of `total` particles, of which the set has
+/// some at least.
+std::string array_list(const ParticleSet& particles, const std::map<std::string, std::vector<double>>& facts,
+                       std::size_t total) {
   std::ostringstream list;
-  const auto add = [&](const std::string& name, std::size_t entries) {
+  const auto add_numbers = [&](const std::string& name, std::size_t entries) {
     if (entries > 0) list << name << ' ' << entries << '\n';
+  };
+  const auto add = [&](const std::string& name, std::size_t entries) {
+    if (entries > 0) add_numbers(name, entries / particles.size() * total);
   };
   add("Position", particles.position.size());
   for_each_array(particles, [&](const char* name, const auto& values) { add(name, values.size()); });
   for (const auto& [name, values] : particles.scalars) add(name, values.size());
   for (const auto& [name, values] : particles.doubles) add(name, values.size());
-  for (const auto& [name, values] : particles.facts) add(name, values.size());
+  for (const auto& [name, values] : facts) add_numbers(name, values.size());
   return list.str();
 }
+
+void add_counts(std::map<std::string, std::vector<double>>& facts, const RunCounts& counts) {
+  const auto numbers = numbers_of(counts);
+  facts[counts_fact].assign(numbers.begin(), numbers.end());
+}
+
+WholeFile way_of(const RunFolder& run) { return {.previous = run.previous_checkpoint(), .make_folders = false}; }
 
 /// The first line of a list that the other does not have.
 std::string first_difference(const std::string& wanted, const std::string& found) {
@@ -54,12 +67,22 @@ std::string first_difference(const std::string& wanted, const std::string& found
 
 void write_checkpoint(const RunFolder& run, Checkpoint checkpoint) {
   ParticleSet& particles = checkpoint.particles;
-  const auto counts = numbers_of(checkpoint.counts);
-  particles.facts[counts_fact].assign(counts.begin(), counts.end());
-  const std::map<std::string, std::string> texts{{case_fact, checkpoint.case_text},
-                                                 {arrays_fact, array_list(particles)}};
-  write_particles(run.checkpoint(), particles, PositionPrecision::double_precision, texts,
-                  {.previous = run.previous_checkpoint(), .make_folders = false});
+  add_counts(particles.facts, checkpoint.counts);
+  const std::map<std::string, std::string> texts{
+      {case_fact, checkpoint.case_text}, {arrays_fact, array_list(particles, particles.facts, particles.size())}};
+  write_particles(run.checkpoint(), particles, PositionPrecision::double_precision, texts, way_of(run));
+}
+
+std::unique_ptr<RangedParticleFile> begin_checkpoint(const RunFolder& run) {
+  return std::make_unique<RangedParticleFile>(run.checkpoint(), way_of(run));
+}
+
+void finish_checkpoint(RangedParticleFile& file, ParticleFileFrame frame, const std::string& case_text,
+                       const RunCounts& counts) {
+  add_counts(frame.facts, counts);
+  frame.texts = {{case_fact, case_text},
+                 {arrays_fact, array_list(file.extremes(), frame.facts, static_cast<std::size_t>(file.size()))}};
+  file.finish(frame);
 }
 
 Checkpoint read_checkpoint(const fs::path& file) {
@@ -73,7 +96,8 @@ Checkpoint read_checkpoint(const fs::path& file) {
   if (!texts.contains(case_fact) || !texts.contains(arrays_fact)) {
     reject(file, "is no checkpoint: a snapshot or a filled scene does not hold the whole state");
   }
-  const std::string found = array_list(checkpoint.particles);
+  const ParticleSet& particles = checkpoint.particles;
+  const std::string found = array_list(particles, particles.facts, particles.size());
   if (found != texts[arrays_fact]) {
     reject(file, "is incomplete: it should hold " + first_difference(texts[arrays_fact], found));
   }

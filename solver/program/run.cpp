@@ -327,7 +327,7 @@ Exit run_solver(const RunOptions& options) {
     refuse_to_replace(folder, "continue it with --restart latest, or replace it with --force");
   }
   if (fresh) WarningFile(folder, "solver").clear();
-  if (options.benchmark == 0) check_disk(start.scene, folder, start.particles);
+  if (options.benchmark == 0) check_disk(start.scene, folder, start.particles, options.ranks != nullptr);
   others.send();
   const bool continued = start.continued;
   Run run(std::move(start), options, lock);

@@ -46,6 +46,10 @@ std::string history_heading(const HistoryColumns& columns) {
   return heading;
 }
 
+std::unique_ptr<RangedParticleFile> ranged_file(const std::filesystem::path& file) {
+  return std::make_unique<RangedParticleFile>(file, WholeFile{.make_folders = false});
+}
+
 /// The number in the name of a snapshot, "s00012.vtp"; -1 for other names.
 int number_of_snapshot(const std::filesystem::path& file) {
   const std::string stem = file.stem().string();
@@ -100,19 +104,44 @@ ParticleFileInfo RunOutput::info_at(const RunClock& clock) const {
   return info;
 }
 
+/// A file whose particles several ranks have handed over; nothing where they lie in this process.
+std::optional<RunOutput::Packed> RunOutput::pack(Simulation& simulation, FileContents of, const RunClock& clock,
+                                                 const std::function<FilePointer()>& begin) const {
+  Packed packed;
+  const auto frame = simulation.pack(of, info_.spacing, [&](const PackedRange& range) {
+    if (packed.file == nullptr) packed.file = begin();
+    packed.file->add(range);
+  });
+  if (!frame) return std::nullopt;
+  if (packed.file == nullptr) packed.file = begin();  // of no particles
+  packed.frame = {info_at(clock), frame->facts, {}, frame->precision};
+  return packed;
+}
+
 void RunOutput::snapshot(Simulation& simulation, const RunClock& clock) {
   writing_.wait();
   const std::filesystem::path name = folder_.snapshots().filename() / fmt::format("s{:05}.vtp", next_snapshot_++);
   series_.push_back({clock.time, name});
-  writing_.start(
-      [this, take = simulation.begin_snapshot(), info = info_at(clock), file = folder_.root / name, series = series_] {
-        ParticleSet particles = take();
-        particles.info = info;
-        lock_.require_folder();
-        write_particles(file, particles, PositionPrecision::single_precision, {}, {.make_folders = false});
-        write_series(folder_.snapshot_series(), series, {.make_folders = false});
-        sync_series_tables();
-      });
+  const auto file = folder_.root / name;
+  const auto write_beside = [this, series = series_] {
+    write_series(folder_.snapshot_series(), series, {.make_folders = false});
+    sync_series_tables();
+  };
+  if (auto packed = pack(simulation, FileContents::snapshot, clock, [&] { return ranged_file(file); })) {
+    writing_.start([this, packed = std::move(*packed), write_beside] {
+      lock_.require_folder();
+      packed.file->finish(packed.frame);
+      write_beside();
+    });
+    return;
+  }
+  writing_.start([this, take = simulation.begin_snapshot(), info = info_at(clock), file, write_beside] {
+    ParticleSet particles = take();
+    particles.info = info;
+    lock_.require_folder();
+    write_particles(file, particles, PositionPrecision::single_precision, {}, {.make_folders = false});
+    write_beside();
+  });
 }
 
 void RunOutput::history(const Totals& t, const MassLedger& ledger, const std::vector<OpeningFlux>& openings,
@@ -153,9 +182,17 @@ GaugeRow RunOutput::gauges(Simulation& simulation, const Case& of, const RunCloc
 void RunOutput::checkpoint(Simulation& simulation, const RunClock& clock, const std::string& case_text,
                            const RunCounts& counts) {
   writing_.wait();  // its particles need not be in memory beside these
+  if (excluded_) excluded_->sync();
+  if (auto packed = pack(simulation, FileContents::full_state, clock, [&] { return begin_checkpoint(folder_); })) {
+    writing_.start([this, packed = std::move(*packed), case_text, counts] {
+      lock_.require_folder();
+      sync_series_tables();
+      finish_checkpoint(*packed.file, packed.frame, case_text, counts);
+    });
+    return;
+  }
   Checkpoint checkpoint{simulation.full_state(), case_text, counts};
   checkpoint.particles.info = info_at(clock);
-  if (excluded_) excluded_->sync();
   writing_.start([this, checkpoint = std::move(checkpoint)]() mutable {
     lock_.require_folder();
     sync_series_tables();
@@ -174,9 +211,15 @@ void RunOutput::exclude(const std::vector<ExcludedParticle>& particles, const Ru
 }
 
 std::filesystem::path RunOutput::write_diverged(Simulation& simulation, const RunClock& clock) {
+  const auto file = folder_.diverged();
+  if (const auto packed = pack(simulation, FileContents::snapshot, clock, [&] { return ranged_file(file); })) {
+    writing_.wait();
+    lock_.require_folder();
+    packed->file->finish(packed->frame);
+    return file;
+  }
   ParticleSet particles = simulation.snapshot();
   particles.info = info_at(clock);
-  const auto file = folder_.diverged();
   writing_.wait();
   lock_.require_folder();
   write_particles(file, particles, PositionPrecision::single_precision, {}, {.make_folders = false});

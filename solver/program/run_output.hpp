@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/extraction/gauges.hpp"
+#include "common/io/ranged_particle_file.hpp"
 #include "common/io/series.hpp"
 #include "common/run_folder.hpp"
 #include "common/run_lock.hpp"
@@ -30,7 +33,8 @@ HistoryColumns history_columns(const Case& of);
 
 /// Writes everything a run leaves in its folder; each file is whole at any moment, and on the disk before a later file
 /// that builds on it. Particles are taken aside for a snapshot at once, and made into a file while the run goes on; the
-/// next file that is written from particles waits for it.
+/// next file that is written from particles waits for it. Those of several ranks are packed at once, range by range, and wait
+/// in temporary files.
 class RunOutput {
  public:
   /// `lock` tells when the folder is gone.
@@ -61,6 +65,14 @@ class RunOutput {
   [[nodiscard]] bool has_snapshots() const { return !series_.empty(); }
 
  private:
+  using FilePointer = std::unique_ptr<RangedParticleFile>;
+  /// A file that waits for its end.
+  struct Packed {
+    FilePointer file;
+    ParticleFileFrame frame;
+  };
+  std::optional<Packed> pack(Simulation& simulation, FileContents of, const RunClock& clock,
+                             const std::function<FilePointer()>& begin) const;
   [[nodiscard]] ParticleFileInfo info_at(const RunClock& clock) const;
   /// Of all tables but excluded.csv, in any thread.
   void sync_series_tables() const;

@@ -58,28 +58,32 @@ void decode(const double* from, T& entry) {
   }
 }
 
-/// Adds to a snapshot what a restart needs besides, in the order of the neighbour lists.
+/// Adds to a snapshot of particles [from, to) what a restart needs besides, in the order of the neighbour lists.
 template <int Dim, class Device>
-void add_full_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene, ParticleSet& out) {
-  const auto records = on.download(p.record);
+void add_full_state(Device& on, Particles<Device>& p, const Scene<Dim>& scene, std::size_t from, std::size_t to,
+                    ParticleSet& out) {
+  // Of an array that may be empty.
+  const auto part = [&](const auto& buffer) {
+    return on.download(buffer, std::min(buffer.size(), from), std::min(buffer.size(), to));
+  };
+  const auto records = on.download(p.record, from, to);
   auto& excess = out.scalars[checkpoint_array::excess];
-  excess.resize(p.count);
-  for (Index i = 0; i < p.count; ++i) excess[i] = records[i].excess;
+  excess.resize(records.size());
   // A snapshot shows bed load with its drift, which has an array of its own here.
-  for (Index i = 0; i < p.count; ++i) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    excess[i] = records[i].excess;
     out.velocity[i] = {records[i].velocity[0], records[i].velocity[1], records[i].velocity[2]};
   }
   if (scene.has_sediment) {
     auto& kinds = out.scalars[checkpoint_array::kind];
-    for (Index i = 0; i < p.count; ++i) kinds.push_back(is_sediment(records[i]) ? records[i].kind : 0);
+    for (const Record& record : records) kinds.push_back(is_sediment(record) ? record.kind : 0);
   }
-  const auto places = on.download(p.listed_at);
   auto& listed = out.doubles[checkpoint_array::listed_at];
-  for (const Place& place : places) listed.insert(listed.end(), place.c, place.c + 3);
+  for (const Place& place : part(p.listed_at)) listed.insert(listed.end(), place.c, place.c + 3);
 
   EachArray keep(checkpointed, [&](const Field& field, auto& buffer, const auto& newborn) {
     using T = std::remove_cvref_t<decltype(newborn)>;
-    const auto entries = on.download(buffer, 0, std::min<std::size_t>(buffer.size(), p.count));  // without copies
+    const auto entries = part(buffer);
     if constexpr (std::is_same_v<T, float>) {
       out.scalars[field.name].assign(entries.begin(), entries.end());
     } else {

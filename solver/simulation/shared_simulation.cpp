@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "solver/simulation/packed_share.hpp"
 #include "solver/simulation/particle_messages.hpp"
 #include "solver/simulation/start.hpp"
 
@@ -23,6 +24,9 @@ enum class Request : int {
   snapshot,
   snapshot_within,
   full_state,
+  pack_snapshot,
+  pack_full_state,
+  hand_over_packed,
   end
 };
 
@@ -139,6 +143,30 @@ std::vector<Eigen::AlignedBox3d> regions_in(const Bytes& message) {
   return regions;
 }
 
+/// The next range of every rank to the first, one after the other. An error of take(range) there waits until all have handed
+/// theirs over.
+template <class Take>
+void gather_packed(Ranks& ranks, PackedShare& packed, const Take& take) {
+  std::exception_ptr failure;
+  const auto try_to_take = [&](const PackedRange& range) {
+    try {
+      take(range);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  };
+  together(ranks, [&] {
+    const PackedRange mine = packed.next();
+    const Bytes own = ranks.rank() == root ? Bytes() : to_message(mine);
+    if (ranks.rank() == root) try_to_take(mine);
+    for (int rank = root + 1; rank < ranks.size(); ++rank) {
+      const Bytes theirs = send(ranks, own, rank, root);
+      if (ranks.rank() == root && !failure) try_to_take(packed_range_in(theirs));
+    }
+  });
+  if (failure) std::rethrow_exception(failure);
+}
+
 struct Asked {
   Request request = Request::end;
   double number = 0;
@@ -199,6 +227,17 @@ class Leader final : public Simulation {
     ask(Request::full_state);
     return together(ranks_, [&] { return gather_set(ranks_, share_->full_state()); });
   }
+  OwnRanges& own_ranges() override { return share_->own_ranges(); }
+  std::optional<PackedFrame> pack(FileContents of, double spacing,
+                                  const std::function<void(const PackedRange&)>& sink) override {
+    ask(of == FileContents::snapshot ? Request::pack_snapshot : Request::pack_full_state, spacing);
+    PackedShare packed = together(ranks_, [&] { return PackedShare(own_ranges(), ranks_, of, spacing); });
+    for (std::uint64_t round = 0; round < packed.rounds(); ++round) {
+      ask(Request::hand_over_packed);
+      gather_packed(ranks_, packed, sink);
+    }
+    return packed.frame();
+  }
 
  private:
   void ask(Request request, double number = 0) { gather_from(ranks_, Asked{request, number}); }
@@ -207,41 +246,61 @@ class Leader final : public Simulation {
   Ranks& ranks_;
 };
 
-/// Does what the first rank has asked for; false if nothing more will come.
-bool answer(Simulation& share, Ranks& ranks, const Asked& asked) {
-  switch (asked.request) {
-    case Request::set_time:
-      share.set_time(asked.number);
-      break;
-    case Request::advance:
-      gather_report(ranks, share.advance(asked.number));
-      break;
-    case Request::take_excluded:
-      share.take_excluded();
-      break;
-    case Request::totals:
-      share.totals();
-      break;
-    case Request::facts:
-      gather_facts(ranks, share.facts());
-      break;
-    case Request::cpu_seconds:
-      gather_cpu_seconds(ranks);
-      break;
-    case Request::snapshot:
-      gather_set(ranks, share.snapshot());
-      break;
-    case Request::snapshot_within:
-      gather_set(ranks, share.snapshot_within(regions_in(broadcast(ranks, {}))));
-      break;
-    case Request::full_state:
-      gather_set(ranks, share.full_state());
-      break;
-    case Request::end:
-      return false;
+/// A rank that does with its share what the first one asks for.
+class Follower {
+ public:
+  Follower(Simulation& share, Ranks& ranks) : share_(share), ranks_(ranks) {}
+
+  /// False if nothing more will come.
+  bool answer(const Asked& asked) {
+    switch (asked.request) {
+      case Request::set_time:
+        share_.set_time(asked.number);
+        break;
+      case Request::advance:
+        gather_report(ranks_, share_.advance(asked.number));
+        break;
+      case Request::take_excluded:
+        share_.take_excluded();
+        break;
+      case Request::totals:
+        share_.totals();
+        break;
+      case Request::facts:
+        gather_facts(ranks_, share_.facts());
+        break;
+      case Request::cpu_seconds:
+        gather_cpu_seconds(ranks_);
+        break;
+      case Request::snapshot:
+        gather_set(ranks_, share_.snapshot());
+        break;
+      case Request::snapshot_within:
+        gather_set(ranks_, share_.snapshot_within(regions_in(broadcast(ranks_, {}))));
+        break;
+      case Request::full_state:
+        gather_set(ranks_, share_.full_state());
+        break;
+      case Request::pack_snapshot:
+        packed_.emplace(share_.own_ranges(), ranks_, FileContents::snapshot, asked.number);
+        break;
+      case Request::pack_full_state:
+        packed_.emplace(share_.own_ranges(), ranks_, FileContents::full_state, asked.number);
+        break;
+      case Request::hand_over_packed:
+        gather_packed(ranks_, *packed_, [](const PackedRange&) {});
+        break;
+      case Request::end:
+        return false;
+    }
+    return true;
   }
-  return true;
-}
+
+ private:
+  Simulation& share_;
+  Ranks& ranks_;
+  std::optional<PackedShare> packed_;  // of the file that is being written, or was last
+};
 
 }  // namespace
 
@@ -250,7 +309,8 @@ std::unique_ptr<Simulation> lead(std::unique_ptr<Simulation> share, Ranks& ranks
 }
 
 void follow(Simulation& share, Ranks& ranks) {
-  while (together(ranks, [&] { return answer(share, ranks, gather_from(ranks, Asked{}).front()); })) {
+  Follower follower(share, ranks);
+  while (together(ranks, [&] { return follower.answer(gather_from(ranks, Asked{}).front()); })) {
   }
 }
 

@@ -3,11 +3,13 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/packed_particles.hpp"
 #include "common/particles.hpp"
 #include "common/ranks.hpp"
 #include "solver/state/report.hpp"
@@ -37,6 +39,32 @@ struct SimulationFacts {
 /// Name of a fact of the particle sets of one rank among several: how many of its particles are fluid, and stand first;
 /// -1 where they are not in order yet (particle_messages.hpp).
 inline constexpr const char* own_fluid_fact = "OwnFluid";
+
+/// Contents of a file of particles: what is looked at, or all that a restart needs.
+enum class FileContents { snapshot, full_state };
+
+/// The particles that this rank has itself, a range at a time, for files of several ranks.
+class OwnRanges {
+ public:
+  struct Counts {
+    std::uint64_t all;
+    std::uint64_t fluid;  // of these, which stand first; where they are not in order yet: all
+    double farthest;      // the largest coordinate [m]
+  };
+
+  virtual ~OwnRanges() = default;
+  virtual Counts counts() = 0;
+  /// Particles [from, to) as snapshot() or full_state() has them; without info and facts.
+  virtual ParticleSet range(FileContents of, std::uint64_t from, std::uint64_t to) = 0;
+  /// The facts of snapshot() or full_state(). Called by all ranks.
+  virtual std::map<std::string, std::vector<double>> facts_of(FileContents of) = 0;
+};
+
+/// The rest of a file, beside packed particles.
+struct PackedFrame {
+  std::map<std::string, std::vector<double>> facts;
+  PositionPrecision precision;
+};
 
 /// A running simulation on some device; the run loop (program/run.hpp) knows it only through this.
 class Simulation {
@@ -74,6 +102,15 @@ class Simulation {
   virtual ParticleSet snapshot_within(const std::vector<Eigen::AlignedBox3d>& regions) = 0;
   /// All that a restart needs, in the order of the neighbour lists; without ParticleSet::info.
   virtual ParticleSet full_state() = 0;
+
+  virtual OwnRanges& own_ranges() = 0;
+  /// Hands the particles of all ranks to `sink` in ranges, which their ranks have packed: no rank holds all of them. `spacing` [m]
+  /// decides on the precision of positions in snapshots. What `sink` throws ends it. Nothing is done, and nothing returned, where
+  /// all particles lie in this process: snapshot() and full_state() have them.
+  virtual std::optional<PackedFrame> pack(FileContents, double /*spacing*/,
+                                          const std::function<void(const PackedRange&)>& /*sink*/) {
+    return std::nullopt;
+  }
 };
 
 }  // namespace thalweg

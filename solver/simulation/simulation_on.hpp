@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/error.hpp"
 #include "solver/models/suspended_load/grain_sums.hpp"
@@ -24,7 +27,7 @@ namespace thalweg {
 /// The simulation in dimension Dim on a device: particles there, and the step over them. The larger functions are defined
 /// behind the class: what stands inside is compiled by all who see it, also where it is declared to be compiled elsewhere.
 template <int Dim, Device OnDevice>
-class SimulationOn final : public Simulation {
+class SimulationOn final : public Simulation, public OwnRanges {
  public:
   /// On several ranks `from` are the particles that this one begins with, and `first_block` is the block of sums in which
   /// they do (deal.hpp).
@@ -53,8 +56,15 @@ class SimulationOn final : public Simulation {
   std::function<ParticleSet()> begin_snapshot() override;
   ParticleSet snapshot_within(const std::vector<Eigen::AlignedBox3d>& regions) override;
   ParticleSet full_state() override;
+  OwnRanges& own_ranges() override { return *this; }
+  Counts counts() override;
+  ParticleSet range(FileContents of, std::uint64_t from, std::uint64_t to) override;
+  std::map<std::string, std::vector<double>> facts_of(FileContents of) override;
 
  private:
+  using Numbers = typename OnDevice::template Buffer<Index>;
+  ParticleSet snapshot_of(const Numbers& chosen);
+
   /// Number of the particles of a set that are fluid, and stand first; -1 before there is an order. Nothing on one rank.
   [[nodiscard]] std::optional<double> part_of(Index fluid) const {
     if (share_ == nullptr) return std::nullopt;
@@ -190,13 +200,11 @@ ParticleSet SimulationOn<Dim, OnDevice>::snapshot_within(const std::vector<Eigen
   const std::size_t number = boxes.size();
   typename OnDevice::template Buffer<SnapshotRegion> on_device;
   on_.upload(std::move(boxes), on_device);
-  typename OnDevice::template Buffer<Index> chosen;
+  Numbers chosen;
   Selection<OnDevice> selection(on_);
   selection.choose(p_.count, WithinRegions{p_.position.data(), on_device.data(), number}, chosen);
   selection.finish();
-  SnapshotArrays<OnDevice> arrays;
-  gather_snapshot(on_, p_, scene_, chosen.data(), static_cast<Index>(chosen.size()), arrays);
-  ParticleSet set = particle_set(scene_, arrays, [&](const auto& buffer) { return on_.download(buffer); });
+  ParticleSet set = snapshot_of(chosen);
   if (share_ != nullptr) {
     const auto indices = on_.download(chosen);
     const auto fluid = std::lower_bound(indices.begin(), indices.end(), p_.fluid_count) - indices.begin();
@@ -206,14 +214,53 @@ ParticleSet SimulationOn<Dim, OnDevice>::snapshot_within(const std::vector<Eigen
 }
 
 template <int Dim, Device OnDevice>
-ParticleSet SimulationOn<Dim, OnDevice>::full_state() {
-  ParticleSet out = snapshot();
-  add_full_state(on_, p_, scene_, out);
+ParticleSet SimulationOn<Dim, OnDevice>::snapshot_of(const Numbers& chosen) {
+  SnapshotArrays<OnDevice> arrays;
+  gather_snapshot(on_, p_, scene_, chosen.data(), static_cast<Index>(chosen.size()), arrays);
+  return particle_set(scene_, arrays, [&](const auto& buffer) { return on_.download(buffer); });
+}
+
+template <int Dim, Device OnDevice>
+OwnRanges::Counts SimulationOn<Dim, OnDevice>::counts() {
+  constexpr Index at_once = 1 << 16;
+  Counts own{p_.count, p_.count, 0};
+  if (fluid_stands_first_ || p_.has_lists()) own.fluid = p_.fluid_count;
+  for (Index from = 0; from < p_.count; from += at_once) {
+    for (const Position& at : on_.download(p_.position, from, std::min<Index>(from + at_once, p_.count))) {
+      for (const double coordinate : at.x) own.farthest = std::max(own.farthest, std::abs(coordinate));
+    }
+  }
+  return own;
+}
+
+template <int Dim, Device OnDevice>
+ParticleSet SimulationOn<Dim, OnDevice>::range(FileContents of, std::uint64_t from, std::uint64_t to) {
+  HostBuffer<Index> numbers(to - from);
+  std::iota(numbers.begin(), numbers.end(), static_cast<Index>(from));
+  Numbers chosen;
+  on_.upload(std::move(numbers), chosen);
+  ParticleSet set = snapshot_of(chosen);
+  if (of == FileContents::full_state) add_full_state(on_, p_, scene_, from, to, set);
+  return set;
+}
+
+template <int Dim, Device OnDevice>
+std::map<std::string, std::vector<double>> SimulationOn<Dim, OnDevice>::facts_of(FileContents of) {
+  if (of == FileContents::snapshot) return {};
+  ParticleSet out;
   work_.population.add_to(out);
   if (scene_.may_rest) add_rest(work_, out);
   if (scene_.current.on) add_current(on_, work_, scene_, out);
   if (scene_.has_openings) add_openings(on_, work_, out);
   if (scene_.surface_bed.on) add_surface_bed(on_, work_, out);
+  return std::move(out.facts);
+}
+
+template <int Dim, Device OnDevice>
+ParticleSet SimulationOn<Dim, OnDevice>::full_state() {
+  ParticleSet out = snapshot();
+  add_full_state(on_, p_, scene_, 0, p_.count, out);
+  out.facts.merge(facts_of(FileContents::full_state));
   return out;
 }
 

@@ -1,10 +1,9 @@
-#include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "solver/simulation/particle_messages.hpp"
 #include "tests/solver/simulation/scenes_on_ranks.hpp"
+#include "tests/solver/watched_ranks.hpp"
 
 // The first rank puts the sets of all together, and has no more than one of the others' beside the whole.
 namespace thalweg::test {
@@ -46,42 +45,11 @@ TEST(JointSetTest, HasTheFluidOfAllBeforeTheWallsOfAll) {
   EXPECT_EQ(all.facts, (decltype(all.facts){{"Known", {1}}}));
 }
 
-/// Ranks that note from how many others messages come together.
-class Watched final : public Ranks {
- public:
-  explicit Watched(Ranks& of) : of_(of) {}
-  [[nodiscard]] int rank() const override { return of_.rank(); }
-  [[nodiscard]] int size() const override { return of_.size(); }
-  void gather(const void* mine, std::size_t bytes, void* all) override { of_.gather(mine, bytes, all); }
-  void start_exchange(const std::vector<std::span<const std::byte>>& to,
-                      const std::vector<std::span<std::byte>>& from) override {
-    int together = 0;
-    for (const auto& bytes : from) together += bytes.empty() ? 0 : 1;
-    most = std::max(most, together);
-    in_all += together;
-    of_.start_exchange(to, from);
-  }
-  void finish_exchange() override { of_.finish_exchange(); }
-  void sum(std::int64_t* numbers, std::size_t n) override { of_.sum(numbers, n); }
-  void largest(std::uint8_t* numbers, std::size_t n) override { of_.largest(numbers, n); }
-  [[nodiscard]] Traffic sent() const override { return of_.sent(); }
-  [[nodiscard]] double waited() const override { return of_.waited(); }
-  [[nodiscard]] int on_this_machine() const override { return of_.on_this_machine(); }
-  [[nodiscard]] int place_on_this_machine() const override { return of_.place_on_this_machine(); }
-  [[noreturn]] void abandon() override { std::abort(); }
-
-  int most = 0;  // in one exchange
-  int in_all = 0;
-
- private:
-  Ranks& of_;
-};
-
 TEST(JointSetTest, IsMadeOfOneMessageAtATime) {
   CaseRun run("joint");
   run.fill("dam_break", {"numerics.spacing=2.5 mm"});
   ThreadRanks(4).run([&](Ranks& mine) {
-    Watched watched(mine);
+    WatchedRanks watched(mine);
     StartOptions options{"openmp", "auto", 1};
     options.ranks = &watched;
     const ParticleSet nothing;
@@ -89,7 +57,7 @@ TEST(JointSetTest, IsMadeOfOneMessageAtATime) {
     if (mine.rank() != 0) return follow(*share, watched);
     const auto leader = lead(std::move(share), watched);
     leader->advance(1);
-    watched.most = watched.in_all = 0;
+    watched.forget();
     leader->full_state();
     EXPECT_EQ(watched.in_all, 3);
     EXPECT_EQ(watched.most, 1) << "several ranks' particles at once";
