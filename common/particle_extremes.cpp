@@ -4,12 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "common/error.hpp"
-#include "common/particle_arrays.hpp"
+#include "common/particle_pairs.hpp"
 
 namespace thalweg {
 namespace {
@@ -35,27 +34,6 @@ double range_measure(const T* entry, std::size_t components) {
     for (std::size_t c = 0; c < components; ++c) sum += static_cast<double>(entry[c]) * static_cast<double>(entry[c]);
     return sum;
   }
-}
-
-/// Calls visit(name, array of a, array of b) for all arrays that either has.
-template <class Visit>
-void for_each_pair(ParticleSet& a, const ParticleSet& b, const Visit& visit) {
-  for_each_array(a, [&](const char* name, auto& array) {
-    for_each_array(b, [&](const char* other, const auto& array_of_b) {
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(array_of_b)>, std::remove_cvref_t<decltype(array)>>) {
-        if (std::string_view(name) == other) visit(name, array, array_of_b);
-      }
-    });
-  });
-  visit("Points", a.position, b.position);
-  const auto in_maps = [&](auto& of_a, const auto& of_b) {
-    for (const auto& [name, array] : of_b) visit(name, of_a[name], array);
-    for (auto& [name, array] : of_a) {
-      if (!of_b.contains(name)) visit(name, array, std::remove_cvref_t<decltype(array)>());
-    }
-  };
-  in_maps(a.scalars, b.scalars);
-  in_maps(a.doubles, b.doubles);
 }
 
 template <class T>

@@ -20,8 +20,10 @@
 
 #include "common/error.hpp"
 #include "common/io/file_seal.hpp"
+#include "common/io/particle_frame.hpp"
 #include "common/io/particle_names.hpp"
 #include "common/io/poly_data_check.hpp"
+#include "common/io/ranged_particle_reader.hpp"
 #include "common/io/vtk_errors.hpp"
 #include "common/particle_arrays.hpp"
 
@@ -38,13 +40,27 @@ class Reader {
       reject("is damaged: its checksum does not fit its contents", "take an earlier copy, or write it again");
     }
     check_poly_data(file);
-    reader_->AddObserver(vtkCommand::ErrorEvent, errors_);
-    reader_->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors_);
-    reader_->SetReaderErrorObserver(errors_);
-    reader_->SetParserErrorObserver(errors_);
     reader_->SetFileName(file.c_str());
-    reader_->UpdateInformation();
-    check();
+    begin();
+  }
+  /// Of the text of a file.
+  Reader(const fs::path& file, const std::string& text) : file_(file) {
+    check_poly_data(file, text);
+    reader_->ReadFromInputStringOn();
+    reader_->SetInputString(text);
+    begin();
+  }
+
+  ParticleFrame frame(std::uint64_t particles) {
+    read_data();
+    count_ = particles;
+    check_count();
+    ParticleFrame frame;
+    frame.set.info = info();
+    read_facts(frame.set);
+    read_texts(frame.texts);
+    frame.mass = constant_mass();
+    return frame;
   }
 
   ParticleFileInfo info_only() {
@@ -55,18 +71,11 @@ class Reader {
   }
 
   ParticleSet particles() {
-    reader_->Update();
-    check();
-    data_ = reader_->GetOutput();
+    read_data();
     count_ = static_cast<std::size_t>(data_->GetNumberOfPoints());
     ParticleSet set;
     set.info = info();
-    const double written = fact(particle_names::count, static_cast<double>(count_));
-    if (written != static_cast<double>(count_)) {
-      reject(
-          fmt::format("holds {} particles, and {:.0f} were written", count_, written),
-          fmt::format("take the whole file, or take {} out of its field data if this is meant", particle_names::count));
-    }
+    check_count();
     positions(set);
     std::set<std::string> members;
     for_each_array(set, [&](const char* name, auto& array) {
@@ -75,7 +84,7 @@ class Reader {
     });
     if (count_ > 0 && set.id.empty()) reject("has no point array Id", "particle files need Id and Type");
     if (count_ > 0 && set.type.empty()) reject("has no point array Type", "particle files need Id and Type");
-    if (set.mass.empty()) set.mass = constant_mass();
+    if (const auto mass = constant_mass(); mass && set.mass.empty()) set.mass.assign(count_, *mass);
     read_further(set, members);
     read_facts(set);
     return set;
@@ -94,6 +103,29 @@ class Reader {
  private:
   [[noreturn]] void reject(const std::string& what, const std::string& cure) const {
     throw InputError(file_.string() + ": " + what + "; " + cure);
+  }
+
+  void begin() {
+    reader_->AddObserver(vtkCommand::ErrorEvent, errors_);
+    reader_->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors_);
+    reader_->SetReaderErrorObserver(errors_);
+    reader_->SetParserErrorObserver(errors_);
+    reader_->UpdateInformation();
+    check();
+  }
+
+  void read_data() {
+    reader_->Update();
+    check();
+    data_ = reader_->GetOutput();
+  }
+
+  void check_count() {
+    const double written = fact(particle_names::count, static_cast<double>(count_));
+    if (written == static_cast<double>(count_)) return;
+    reject(
+        fmt::format("holds {} particles, and {:.0f} were written", count_, written),
+        fmt::format("take the whole file, or take {} out of its field data if this is meant", particle_names::count));
   }
 
   void check() const {
@@ -198,10 +230,10 @@ class Reader {
   }
 
   // A mass that all particles have is one number in the field data.
-  std::vector<float> constant_mass() {
+  std::optional<float> constant_mass() {
     auto* constant = vtkDataArray::SafeDownCast(field(particle_names::mass));
-    if (constant == nullptr || constant->GetNumberOfTuples() != 1) return {};
-    return std::vector<float>(count_, static_cast<float>(constant->GetComponent(0, 0)));
+    if (constant == nullptr || constant->GetNumberOfTuples() != 1) return std::nullopt;
+    return static_cast<float>(constant->GetComponent(0, 0));
   }
 
   void positions(ParticleSet& set) const {
@@ -256,7 +288,16 @@ class Reader {
 
 }  // namespace
 
+ParticleFrame read_particle_frame(const fs::path& file, const std::string& text, std::uint64_t particles) {
+  return Reader(file, text).frame(particles);
+}
+
 ParticleSet read_particles(const fs::path& file, std::map<std::string, std::string>* texts) {
+  // A file of ours without VTK's copies of its text and of its arrays.
+  if (auto ours = RangedParticleReader::open(file)) {
+    if (texts != nullptr) texts->insert(ours->texts().begin(), ours->texts().end());
+    return ours->range(0, ours->size());
+  }
   Reader reader(file);
   ParticleSet particles = reader.particles();
   if (texts != nullptr) reader.read_texts(*texts);

@@ -265,9 +265,8 @@ class Checker {
 
 }  // namespace
 
-void check_poly_data(const fs::path& file) {
-  const std::string bytes = bytes_of(file);
-  Checker(file, bytes).check();
-}
+void check_poly_data(const fs::path& file, std::string_view text) { Checker(file, text).check(); }
+
+void check_poly_data(const fs::path& file) { check_poly_data(file, bytes_of(file)); }
 
 }  // namespace thalweg

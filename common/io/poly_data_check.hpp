@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace thalweg {
 
@@ -8,5 +9,7 @@ namespace thalweg {
 /// against the bytes that are there, numbers of points and cells against the arrays, types, components, offsets, names.
 /// Throws InputError "file:line: what is wrong; what to do". Contents are left to who reads them.
 void check_poly_data(const std::filesystem::path& file);
+/// The same of the text of `file`.
+void check_poly_data(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace thalweg

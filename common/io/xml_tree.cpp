@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <istream>
 #include <memory>
 
 #include "common/error.hpp"
@@ -27,13 +29,12 @@ class TreeBuilder {
     });
   }
 
-  /// Returns what is wrong; nothing for a text that is whole.
-  std::string read(std::string_view text) {
-    constexpr std::size_t part = std::size_t{1} << 24;
-    for (std::size_t at = 0;; at += part) {
-      const std::string_view next = text.substr(std::min(at, text.size()), part);
-      const bool ends = at + part >= text.size();
-      if (XML_Parse(parser_.get(), next.data(), static_cast<int>(next.size()), ends ? 1 : 0) == XML_STATUS_ERROR) break;
+  /// `next` gives the text part by part, at last an empty one. Returns what is wrong; nothing for a text that is whole.
+  std::string read(const std::function<std::string_view()>& next) {
+    for (bool ends = false; !ends;) {
+      const std::string_view part = next();
+      ends = part.empty();
+      if (XML_Parse(parser_.get(), part.data(), static_cast<int>(part.size()), ends ? 1 : 0) == XML_STATUS_ERROR) break;
       if (ends) return {};
     }
     if (at_last_) return {};
@@ -87,13 +88,36 @@ std::string XmlElement::attribute(const std::string& key) const {
   return found == attributes.end() ? std::string() : found->second;
 }
 
-XmlElement parse_xml(std::string_view text, const std::filesystem::path& file, std::string_view last) {
+namespace {
+
+XmlElement parse_parts(const std::function<std::string_view()>& next, const std::filesystem::path& file,
+                       std::string_view last) {
   TreeBuilder builder(last);
-  if (const std::string fault = builder.read(text); !fault.empty()) {
+  if (const std::string fault = builder.read(next); !fault.empty()) {
     throw InputError(
         fmt::format("{}:{}: {}; it may have been cut off: write it again", file.string(), builder.line(), fault));
   }
   return std::move(builder.root());
+}
+
+}  // namespace
+
+XmlElement parse_xml(std::string_view text, const std::filesystem::path& file, std::string_view last) {
+  const auto next = [&] {
+    const std::string_view part = text.substr(0, std::size_t{1} << 24);
+    text.remove_prefix(part.size());
+    return part;
+  };
+  return parse_parts(next, file, last);
+}
+
+XmlElement parse_xml(std::istream& stream, const std::filesystem::path& file) {
+  std::string part(std::size_t{1} << 20, '\0');
+  const auto next = [&] {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    return std::string_view(part).substr(0, static_cast<std::size_t>(stream.gcount()));
+  };
+  return parse_parts(next, file, {});
 }
 
 }  // namespace thalweg

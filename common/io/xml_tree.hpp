@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <string_view>
@@ -25,5 +26,7 @@ struct XmlElement {
 /// The root of an XML text that `file` holds. Reading ends with the start tag of an element named `last`, behind which
 /// bytes may follow that are no XML. Throws InputError "file:line: what is wrong; what to do".
 XmlElement parse_xml(std::string_view text, const std::filesystem::path& file, std::string_view last = {});
+/// The same of a text that is not in memory: what `stream`, which is that file, has left.
+XmlElement parse_xml(std::istream& stream, const std::filesystem::path& file);
 
 }  // namespace thalweg

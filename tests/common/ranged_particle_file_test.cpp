@@ -15,6 +15,7 @@
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
 #include "common/io/ranged_particle_file.hpp"
+#include "common/io/ranged_particle_reader.hpp"
 
 // A particle file that is written range by range has the bytes of one that is written at once.
 namespace thalweg {
@@ -175,6 +176,66 @@ TEST_F(RangedParticleFileTest, RefusesAFileThatLacksAPart) {
     file.add(packer.end());
   }
   EXPECT_THROW(file.finish({all.info}), std::logic_error);
+}
+
+/// Every array and fact of two sets is equal.
+void expect_equal(const ParticleSet& a, const ParticleSet& b) {
+  EXPECT_EQ(a.info.case_hash, b.info.case_hash);
+  EXPECT_EQ(a.info.time, b.info.time);
+  EXPECT_EQ(a.info.lattice_node, b.info.lattice_node);
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.type, b.type);
+  EXPECT_EQ(a.state, b.state);
+  EXPECT_TRUE(a.position == b.position);
+  EXPECT_TRUE(a.velocity == b.velocity);
+  EXPECT_EQ(a.density, b.density);
+  EXPECT_EQ(a.pressure, b.pressure);
+  EXPECT_EQ(a.mass, b.mass);
+  EXPECT_TRUE(a.normal == b.normal);
+  EXPECT_EQ(a.scalars, b.scalars);
+  EXPECT_EQ(a.doubles, b.doubles);
+  EXPECT_EQ(a.facts, b.facts);
+}
+
+TEST_F(RangedParticleFileTest, IsReadRangeByRange) {
+  for (const bool same_mass : {false, true}) {
+    ParticleSet all = mixed_particles(20000);
+    all.facts["Population"] = {20000, 0.5, 0, 1e-9};
+    if (same_mass) std::fill(all.mass.begin(), all.mass.end(), 0.25F);
+    write_particles(folder_ / "whole.vtp", all, PositionPrecision::double_precision, {{"Case", "[case]\n"}});
+    auto reader = RangedParticleReader::open(folder_ / "whole.vtp");
+    ASSERT_TRUE(reader) << "a file of ours";
+    EXPECT_EQ(reader->size(), 20000U);
+    EXPECT_EQ(reader->texts().at("Case"), "[case]\n");
+    expect_equal(reader->range(0, 20000), all);
+    for (const auto& [from, to] : {std::pair(0U, 1U), {1U, 2U}, {4095U, 4097U}, {5000U, 15000U}, {19999U, 20000U}}) {
+      ParticleSet expected = range_of(all, from, to);
+      expected.info = all.info;
+      expected.facts = all.facts;
+      expect_equal(reader->range(from, to), expected);
+    }
+  }
+}
+
+// In single precision, too.
+TEST_F(RangedParticleFileTest, IsReadAsItWasByVtk) {
+  const ParticleSet all = mixed_particles(9000);
+  write_particles(folder_ / "ours.vtp", all, PositionPrecision::single_precision);
+  const std::string text = text_of(folder_ / "ours.vtp");
+  std::ofstream(folder_ / "unsealed.vtp", std::ios::binary) << text.substr(0, text.rfind("<!-- crc32"));
+  EXPECT_FALSE(RangedParticleReader::open(folder_ / "unsealed.vtp"));
+  expect_equal(read_particles(folder_ / "ours.vtp"), read_particles(folder_ / "unsealed.vtp"));
+}
+
+TEST_F(RangedParticleFileTest, TellsWhichParticleOfTheFileIsWrong) {
+  ParticleSet all = mixed_particles(9000);
+  all.position[8000].y() = INFINITY;
+  write_particles(folder_ / "wrong.vtp", all, PositionPrecision::double_precision);
+  auto reader = RangedParticleReader::open(folder_ / "wrong.vtp");
+  ASSERT_TRUE(reader);
+  EXPECT_NO_THROW((void)reader->range(0, 8000));
+  EXPECT_THAT([&] { (void)reader->range(7000, 9000); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("the position of particle 8000 is not finite")));
 }
 
 TEST_F(RangedParticleFileTest, OfTwoParticles) { expect_same(mixed_particles(2), {1}); }
