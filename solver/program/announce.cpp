@@ -131,8 +131,7 @@ std::vector<std::string> warnings_of_coarse_grains(const Case& c) {
   return warnings;
 }
 
-void warn_of_fast_walls(const Case& c, const ParticleSet& start) {
-  const double speed = largest_wall_speed(c, start);
+void warn_of_fast_walls(const Case& c, double speed) {
   if (speed <= c.numerics.maximum_speed) return;
   spdlog::warn("walls move with up to {:.3g} m/s, and numerics.maximum_speed is {:.3g} m/s: {}", speed,
                c.numerics.maximum_speed, "the water's density will vary by more than a percent; raise it");

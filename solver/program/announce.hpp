@@ -18,6 +18,6 @@ void announce_choices(const Case& of);
 std::vector<std::string> warnings_of_coarse_grains(const Case& of);
 
 /// Warns if walls move faster than the case expects: the sound speed follows from the expected speed.
-void warn_of_fast_walls(const Case& of, const ParticleSet& start);
+void warn_of_fast_walls(const Case& of, double wall_speed);
 
 }  // namespace thalweg

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "common/error.hpp"
 #include "common/io/file_seal.hpp"
 #include "common/io/particle_file.hpp"
+#include "common/io/ranged_particle_reader.hpp"
 #include "common/particle_arrays.hpp"
 
 namespace thalweg {
@@ -85,28 +88,54 @@ void finish_checkpoint(RangedParticleFile& file, ParticleFileFrame frame, const 
   file.finish(frame);
 }
 
-Checkpoint read_checkpoint(const fs::path& file) {
+namespace {
+
+void require_whole(const fs::path& file) {
   if (!fs::is_regular_file(file)) {
     throw InputError(fmt::format("{}: there is no such checkpoint; name one, or say --restart latest", file.string()));
   }
   if (seal_state(file) != SealState::whole) reject(file, "is damaged, cut off, or no checkpoint");
-  std::map<std::string, std::string> texts;
-  Checkpoint checkpoint;
-  checkpoint.particles = read_particles(file, &texts);
+}
+
+/// A checkpoint of `total` particles, of which it has some at least. Refuses one that lacks something.
+Checkpoint complete(const fs::path& file, ParticleSet particles, const std::map<std::string, std::string>& texts,
+                    std::size_t total) {
   if (!texts.contains(case_fact) || !texts.contains(arrays_fact)) {
     reject(file, "is no checkpoint: a snapshot or a filled scene does not hold the whole state");
   }
-  const ParticleSet& particles = checkpoint.particles;
-  const std::string found = array_list(particles, particles.facts, particles.size());
-  if (found != texts[arrays_fact]) {
-    reject(file, "is incomplete: it should hold " + first_difference(texts[arrays_fact], found));
+  const std::string found = array_list(particles, particles.facts, total);
+  if (found != texts.at(arrays_fact)) {
+    reject(file, "is incomplete: it should hold " + first_difference(texts.at(arrays_fact), found));
   }
-  checkpoint.case_text = texts[case_fact];
+  Checkpoint checkpoint{std::move(particles), texts.at(case_fact), {}};
   const auto counts = checkpoint.particles.facts.extract(counts_fact);
   if (counts.empty() || counts.mapped().size() != numbers_in_counts) reject(file, "is incomplete: it lacks RunCounts");
   std::array<double, numbers_in_counts> numbers{};
   std::copy(counts.mapped().begin(), counts.mapped().end(), numbers.begin());
   checkpoint.counts = counts_of(numbers);
+  return checkpoint;
+}
+
+}  // namespace
+
+Checkpoint read_checkpoint(const fs::path& file) {
+  require_whole(file);
+  std::map<std::string, std::string> texts;
+  ParticleSet particles = read_particles(file, &texts);
+  const std::size_t total = particles.size();
+  return complete(file, std::move(particles), texts, total);
+}
+
+Checkpoint open_checkpoint(const fs::path& file, std::unique_ptr<ParticleSource>& source) {
+  require_whole(file);
+  auto reader = RangedParticleReader::open(file);
+  if (!reader) return read_checkpoint(file);
+  Checkpoint checkpoint = complete(file, reader->range(0, 1), reader->texts(), reader->size());
+  ParticleSet frame;
+  frame.info = checkpoint.particles.info;
+  frame.facts = checkpoint.particles.facts;
+  checkpoint.particles = std::move(frame);
+  source = std::make_unique<RangedParticleReader>(std::move(*reader));
   return checkpoint;
 }
 

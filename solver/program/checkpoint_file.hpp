@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/io/ranged_particle_file.hpp"
+#include "common/particle_source.hpp"
 #include "common/particles.hpp"
 #include "common/run_folder.hpp"
 #include "solver/program/run_counts.hpp"
@@ -31,5 +32,9 @@ std::unique_ptr<RangedParticleFile> begin_checkpoint(const RunFolder& run);
 
 /// Throws InputError for a file that is no checkpoint, is damaged, or lacks an array or particles it was written with.
 Checkpoint read_checkpoint(const std::filesystem::path& file);
+
+/// The same, but for the particles, which are left to `source`: the checkpoint has info and facts. Where the file cannot be read
+/// range by range it has the particles, and there is no source.
+Checkpoint open_checkpoint(const std::filesystem::path& file, std::unique_ptr<ParticleSource>& source);
 
 }  // namespace thalweg

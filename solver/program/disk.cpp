@@ -28,19 +28,19 @@ double snapshots_left(const Case& scene, double from) {
 
 }  // namespace
 
-double disk_needed(const Case& scene, const ParticleSet& start, bool on_ranks) {
-  const double kept = checkpoints + (on_ranks ? 1 : 0);
-  const double bytes = snapshots_left(scene, start.info.time) * snapshot_bytes + kept * checkpoint_bytes;
-  return bytes * static_cast<double>(start.size());
+double disk_needed(const Case& scene, const DiskUse& start) {
+  const double kept = checkpoints + (start.on_ranks ? 1 : 0);
+  const double bytes = snapshots_left(scene, start.time) * snapshot_bytes + kept * checkpoint_bytes;
+  return bytes * static_cast<double>(start.particles);
 }
 
-void check_disk(const Case& scene, const RunFolder& run, const ParticleSet& start, bool on_ranks) {
+void check_disk(const Case& scene, const RunFolder& run, const DiskUse& start) {
   std::error_code unknown;
   const auto space = std::filesystem::space(run.root, unknown);
   if (unknown) return;
   const auto free = static_cast<double>(space.available);
-  const double needed = disk_needed(scene, start, on_ranks);
-  const double snapshots = snapshots_left(scene, start.info.time);
+  const double needed = disk_needed(scene, start);
+  const double snapshots = snapshots_left(scene, start.time);
   spdlog::info("{:.0f} snapshots to come, about {}; {} are free", snapshots, format_bytes(needed), format_bytes(free));
   if (snapshots > many_snapshots) {
     spdlog::warn("every snapshot ends a time step: {:.0f} of them slow the run down; lengthen output.interval (now {})",

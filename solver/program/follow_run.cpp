@@ -10,13 +10,10 @@
 #include "solver/simulation/start.hpp"
 
 namespace thalweg {
-namespace {
 
 StartOptions start_options(const RunOptions& options) {
   return {options.backend, options.instruction_set, options.threads, options.profile, options.ranks};
 }
-
-}  // namespace
 
 void Invitation::send(bool begins) {
   sent_ = true;
@@ -24,8 +21,12 @@ void Invitation::send(bool begins) {
 }
 
 std::unique_ptr<Simulation> start(const RunStart& from, const RunOptions& options) {
-  auto simulation = start_simulation(from.scene, from.particles, start_options(options));
-  if (options.ranks == nullptr) return simulation;
+  if (options.ranks == nullptr) return start_simulation(from.scene, from.particles, start_options(options));
+  const bool in_ranges = from.source != nullptr;
+  gather_from(*options.ranks, in_ranges ? 1 : 0);
+  auto simulation = in_ranges ? start_simulation(from.scene, StartSource{from.source.get(), from.file.string()},
+                                                 start_options(options))
+                              : start_simulation(from.scene, from.particles, start_options(options));
   gather_from(*options.ranks, 1);  // all have read the files, which this rank may replace from here on
   return lead(std::move(simulation), *options.ranks);
 }
@@ -37,7 +38,10 @@ Exit follow_run(const RunOptions& options) {
   if (gather_from(ranks, 0).front() == 0) return Exit::done;
   std::unique_ptr<Simulation> share;
   try {
-    share = start_simulation(read_scene(options), {}, start_options(options));
+    const Case scene = read_scene(options);
+    const bool in_ranges = gather_from(ranks, 0).front() != 0;
+    share = in_ranges ? start_simulation(scene, StartSource{}, start_options(options))
+                      : start_simulation(scene, ParticleSet(), start_options(options));
   } catch (const InputError&) {
     return Exit::done;  // which the first rank meets, too, and tells
   } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include "solver/program/read_run.hpp"
 #include "solver/program/run.hpp"
 #include "solver/simulation/simulation.hpp"
+#include "solver/simulation/start.hpp"
 
 // A run on several ranks: the first one runs the program, the others follow it.
 namespace thalweg {
@@ -28,6 +29,8 @@ class Invitation {
   Ranks* ranks_;
   bool sent_ = false;
 };
+
+StartOptions start_options(const RunOptions& options);
 
 /// The simulation of a run, on this rank alone or on all of them.
 std::unique_ptr<Simulation> start(const RunStart& from, const RunOptions& options);

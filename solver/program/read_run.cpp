@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "case/reader/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/particle_file.hpp"
+#include "common/io/ranged_particle_reader.hpp"
 #include "common/units.hpp"
 #include "solver/program/checkpoint_file.hpp"
+#include "solver/program/follow_run.hpp"
 #include "solver/program/restart_check.hpp"
 #include "solver/program/start_check.hpp"
+#include "solver/simulation/start.hpp"
 
 namespace thalweg {
 namespace {
@@ -25,15 +29,22 @@ constexpr const char* latest = "latest";
 struct Found {
   fs::path file;
   Checkpoint checkpoint;
+  std::unique_ptr<ParticleSource> source{};  // of its particles, if they are read range by range
 };
 
+Found open_or_read(const fs::path& file, bool in_ranges) {
+  Found found{file, {}};
+  found.checkpoint = in_ranges ? open_checkpoint(file, found.source) : read_checkpoint(file);
+  return found;
+}
+
 /// The last checkpoint of a run that is whole; nothing if it has none yet. Throws InputError if none of them is whole.
-std::optional<Found> latest_checkpoint(const RunFolder& run) {
+std::optional<Found> latest_checkpoint(const RunFolder& run, bool in_ranges) {
   std::optional<InputError> problem;
   for (const fs::path& file : {run.checkpoint(), run.previous_checkpoint()}) {
     if (!fs::exists(file)) continue;
     try {
-      Found found{file, read_checkpoint(file)};
+      Found found = open_or_read(file, in_ranges);
       if (problem) spdlog::warn("{}; going on from {}", problem->what(), file.string());
       return found;
     } catch (const InputError& error) {
@@ -44,16 +55,27 @@ std::optional<Found> latest_checkpoint(const RunFolder& run) {
   return std::nullopt;
 }
 
-std::optional<Found> find_checkpoint(const RunOptions& options) {
+std::optional<Found> find_checkpoint(const RunOptions& options, bool in_ranges) {
   if (options.restart.empty()) return std::nullopt;
-  if (options.restart != latest) return Found{options.restart, read_checkpoint(options.restart)};
-  auto found = latest_checkpoint(RunFolder{options.folder});
+  if (options.restart != latest) return open_or_read(options.restart, in_ranges);
+  auto found = latest_checkpoint(RunFolder{options.folder}, in_ranges);
   if (!found) {
     spdlog::info("{}: no checkpoint yet; from the start", options.folder.string());
   } else {
     spdlog::info("continuing from {} at t = {:.6g} s", found->file.string(), found->checkpoint.particles.info.time);
   }
   return found;
+}
+
+void read_filled(const fs::path& file, bool in_ranges, RunStart& start) {
+  start.file = file;
+  auto reader = in_ranges ? RangedParticleReader::open(file) : std::nullopt;
+  if (!reader) {
+    start.particles = read_particles(file);
+    return;
+  }
+  start.particles = reader->frame();
+  start.source = std::make_unique<RangedParticleReader>(std::move(*reader));
 }
 
 }  // namespace
@@ -76,20 +98,26 @@ Case read_scene(const RunOptions& options) {
 }
 
 RunStart read_run(const RunOptions& options) {
-  RunStart start{read_scene(options), {}};
-  if (std::optional<Found> found = find_checkpoint(options)) {
+  RunStart start{read_scene(options), {}, {}};
+  const bool in_ranges = deals_in_ranges(start.scene, start_options(options));
+  if (std::optional<Found> found = find_checkpoint(options, in_ranges)) {
     if (options.benchmark == 0) {
       check_restart(found->file, found->checkpoint, start.scene, options.restart_anyway);
       start.counts = found->checkpoint.counts;
       ++start.counts.restarts;
     }
+    start.file = found->file;
     start.particles = std::move(found->checkpoint.particles);
+    start.source = std::move(found->source);
     start.continued = true;
-    check_start(start.particles, found->file, start.scene);
   } else {
-    const fs::path file = RunFolder{options.folder}.particles();
-    start.particles = read_particles(file);
-    check_start(start.particles, file, start.scene);
+    read_filled(RunFolder{options.folder}.particles(), in_ranges, start);
+  }
+  if (start.source != nullptr) {
+    start.wall_speed = check_start(*start.source, start.file, start.scene);
+  } else {
+    check_start(start.particles, start.file, start.scene);
+    start.wall_speed = largest_wall_speed(start.scene, start.particles);
   }
   if (start.particles.info.time >= start.scene.output.end) {
     throw InputError(fmt::format(

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
 #include "case/case.hpp"
+#include "common/particle_source.hpp"
 #include "common/particles.hpp"
 #include "common/run_folder.hpp"
 #include "solver/program/run.hpp"
@@ -11,9 +16,14 @@ namespace thalweg {
 /// The start of a run: the scene as gencase has filled it, or a checkpoint of it.
 struct RunStart {
   Case scene;
-  ParticleSet particles;
+  std::filesystem::path file;  // of the particles
+  ParticleSet particles;       // where there is a source: info and facts
+  std::unique_ptr<ParticleSource> source{};
   RunCounts counts{};
   bool continued = false;
+  double wall_speed = 0;  // the largest until the end of the case [m/s]
+
+  [[nodiscard]] std::uint64_t size() const { return source != nullptr ? source->size() : particles.size(); }
 };
 
 /// Throws InputError if gencase has not filled the folder.

@@ -56,7 +56,7 @@ class Run {
                  facts.device);
     initial_fluid_ = facts.fluid_particles + counts_.excluded;
     announce_choices(case_);
-    warn_of_fast_walls(case_, from.particles);
+    warn_of_fast_walls(case_, from.wall_speed);
   }
 
   /// Takes so many steps as fast as they go, and writes no files.
@@ -327,7 +327,8 @@ Exit run_solver(const RunOptions& options) {
     refuse_to_replace(folder, "continue it with --restart latest, or replace it with --force");
   }
   if (fresh) WarningFile(folder, "solver").clear();
-  if (options.benchmark == 0) check_disk(start.scene, folder, start.particles, options.ranks != nullptr);
+  if (options.benchmark == 0)
+    check_disk(start.scene, folder, {start.particles.info.time, start.size(), options.ranks != nullptr});
   others.send();
   const bool continued = start.continued;
   Run run(std::move(start), options, lock);

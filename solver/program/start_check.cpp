@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +12,7 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "solver/simulation/start.hpp"
 
 namespace thalweg {
 namespace {
@@ -41,16 +43,22 @@ class Checker {
     if (info.time > 0 && info.step == 0) reject(fmt::format("at t = {} s no step has been taken", info.time), refill);
   }
 
-  void sizes(const Case& scene) const {
+  /// The arrays that a start needs.
+  void arrays(const Case& scene) const {
     const std::size_t n = p_.size();
     if (n == 0) reject("holds no particles", refill);
     if (p_.density.size() != n || p_.mass.size() != n) {
       reject("arrays Density and Mass are needed to start", "write them, or fill the scene with gencase");
     }
-    if (scene.inlets.empty() && std::none_of(p_.type.begin(), p_.type.end(), is_fluid)) {
+    if (!scene.motions.empty()) motions(scene.motions.size());
+  }
+
+  [[nodiscard]] bool has_fluid() const { return std::any_of(p_.type.begin(), p_.type.end(), is_fluid); }
+
+  void require_fluid(const Case& scene, bool has_some) const {
+    if (scene.inlets.empty() && !has_some) {
       reject("holds walls only, neither water nor sediment", "give a shape with the role of a fluid");
     }
-    if (!scene.motions.empty()) motions(scene.motions.size());
   }
 
   void numbers() const {
@@ -71,18 +79,17 @@ class Checker {
     if (twin != order.end()) reject(fmt::format("two particles have the id {}", p_.id[*twin]), "give each its own");
   }
 
-  /// A plane scene lies in the plane of x and z.
-  void plane() const {
-    const auto extent = [&](int axis) {
-      const auto [low, high] = std::minmax_element(p_.position.begin(), p_.position.end(),
-                                                   [&](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
-      return (*high)[axis] - (*low)[axis];
-    };
-    if (!(extent(1) > 0)) return;
-    if (p_.size() > 1 && extent(2) == 0) {
+  /// A plane scene of so many particles in this box lies in the plane of x and z.
+  void plane(const Eigen::AlignedBox3d& box, std::size_t n) const {
+    if (!(box.sizes().y() > 0)) return;
+    if (n > 1 && box.sizes().z() == 0) {
       reject("all points have one z, and a 2-D scene lies in the plane of x and z", "write heights as z, and y = 0");
     }
     reject("the points of a 2-D scene have several y", "write y = 0 for all of them");
+  }
+
+  void extend(Eigen::AlignedBox3d& box) const {
+    for (const Vec3& x : p_.position) box.extend(x);
   }
 
   /// Two particles in one place have no direction between them, and push nothing apart. In a mixture grains and pore
@@ -146,11 +153,34 @@ class Checker {
 void check_start(const ParticleSet& particles, const std::filesystem::path& file, const Case& scene) {
   const Checker check(particles, file);
   check.facts(scene);
-  check.sizes(scene);
+  check.arrays(scene);
+  check.require_fluid(scene, check.has_fluid());
   check.numbers();
   check.ids();
-  if (scene.info.dimension == 2) check.plane();
+  Eigen::AlignedBox3d box;
+  check.extend(box);
+  if (scene.info.dimension == 2) check.plane(box, particles.size());
   check.places(scene.model.seepage == SeepageModel::mixture);
+}
+
+double check_start(ParticleSource& particles, const std::filesystem::path& file, const Case& scene) {
+  const Checker all(particles.frame(), file);
+  all.facts(scene);
+  Eigen::AlignedBox3d box;
+  bool has_fluid = false;
+  double wall_speed = 0;
+  for (std::uint64_t from = 0; from < particles.size(); from += particles_at_once) {
+    const ParticleSet range = particles.range(from, std::min(particles.size(), from + particles_at_once));
+    const Checker check(range, file);
+    check.arrays(scene);
+    check.numbers();
+    check.extend(box);
+    has_fluid = has_fluid || check.has_fluid();
+    if (!scene.motions.empty()) wall_speed = std::max(wall_speed, largest_wall_speed(scene, range));
+  }
+  all.require_fluid(scene, has_fluid);
+  if (scene.info.dimension == 2) all.plane(box, particles.size());
+  return wall_speed;
 }
 
 }  // namespace thalweg

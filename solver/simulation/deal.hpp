@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,23 @@ namespace thalweg {
 
 /// Particles [first, second) of a file.
 using FileRange = std::pair<std::size_t, std::size_t>;
+
+/// A filled scene is dealt out as the file has it, in whole blocks of sums, so that sums over all particles have the same
+/// bits whatever the number of ranks. The particles of a checkpoint stand in the order of the lists: each rank has a
+/// range of the fluid and one of the walls. `n`: particles of the file, `fluid`: of these, if they are in order.
+inline std::vector<FileRange> ranges_of_rank(std::size_t n, std::optional<std::size_t> fluid, int rank, int ranks) {
+  if (fluid) {
+    const Cut cut = cut_evenly(static_cast<std::int64_t>(*fluid), static_cast<std::int64_t>(n - *fluid), ranks);
+    const auto r = static_cast<std::size_t>(rank);
+    return {{static_cast<std::size_t>(cut.fluid[r]), static_cast<std::size_t>(cut.fluid[r + 1])},
+            {*fluid + static_cast<std::size_t>(cut.walls[r]), *fluid + static_cast<std::size_t>(cut.walls[r + 1])}};
+  }
+  const auto begin = [&](int of) {
+    if (of == ranks) return n;
+    return n * static_cast<std::size_t>(of) / static_cast<std::size_t>(ranks) / sum_block * sum_block;
+  };
+  return {{begin(rank), begin(rank + 1)}};
+}
 
 /// The particles that a rank begins with, and the block of sums in which they do.
 struct DealtShare {
@@ -72,22 +90,8 @@ class Deal {
   }
 
  private:
-  /// A filled scene is dealt out as the file has it, in whole blocks of sums, so that sums over all particles have the same
-  /// bits whatever the number of ranks. The particles of a checkpoint stand in the order of the lists: each rank has a
-  /// range of the fluid and one of the walls.
   [[nodiscard]] std::vector<FileRange> ranges_of(int rank) const {
-    const std::size_t n = all_.size();
-    if (in_order_) {
-      const Cut cut = cut_evenly(static_cast<std::int64_t>(fluid_), static_cast<std::int64_t>(n - fluid_), ranks_);
-      const auto r = static_cast<std::size_t>(rank);
-      return {{static_cast<std::size_t>(cut.fluid[r]), static_cast<std::size_t>(cut.fluid[r + 1])},
-              {fluid_ + static_cast<std::size_t>(cut.walls[r]), fluid_ + static_cast<std::size_t>(cut.walls[r + 1])}};
-    }
-    const auto begin = [&](int of) {
-      if (of == ranks_) return n;
-      return n * static_cast<std::size_t>(of) / static_cast<std::size_t>(ranks_) / sum_block * sum_block;
-    };
-    return {{begin(rank), begin(rank + 1)}};
+    return ranges_of_rank(all_.size(), in_order_ ? std::make_optional(fluid_) : std::nullopt, rank, ranks_);
   }
 
   /// The entries of an array with one or more for each particle of the file.

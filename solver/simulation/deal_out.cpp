@@ -1,5 +1,6 @@
 #include "solver/simulation/deal_out.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <type_traits>
@@ -7,11 +8,14 @@
 
 #include "case/models/surface_bed.hpp"
 #include "common/error.hpp"
+#include "common/particle_slices.hpp"
 #include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "solver/simulation/deal.hpp"
 #include "solver/simulation/gpu_memory.hpp"
 #include "solver/simulation/make_scene.hpp"
 #include "solver/simulation/particle_messages.hpp"
+#include "solver/simulation/scene_digest.hpp"
+#include "solver/simulation/twin_search.hpp"
 
 namespace thalweg {
 namespace {
@@ -27,6 +31,23 @@ struct WholeScene {
   bool may_use_gpus;
   GpuMemory gpu_memory;  // of each rank's
 };
+
+WholeScene facts_of(const ParticleFileInfo& info) {
+  WholeScene whole{};
+  whole.time = info.time;
+  whole.step = info.step;
+  whole.has_lattice_node = info.lattice_node.has_value();
+  if (info.lattice_node) Vec3::Map(whole.lattice_node) = *info.lattice_node;
+  return whole;
+}
+
+/// The facts of the first rank in what this rank knows.
+ParticleFileInfo info_with(const WholeScene& whole, ParticleFileInfo info) {
+  info.time = whole.time;
+  info.step = whole.step;
+  if (whole.has_lattice_node) info.lattice_node = Vec3(whole.lattice_node);
+  return info;
+}
 
 /// Runs what() on the first rank. Its error ends the start of all.
 template <class What>
@@ -86,6 +107,53 @@ DealtShare send_shares(Ranks& ranks, const SharesOf& shares) {
   return mine;
 }
 
+/// The part of a rank in particles from `first` on.
+ParticleSet part_of(const std::vector<FileRange>& ranges, const ParticleSet& particles, std::size_t first) {
+  ParticleSet part;
+  for (const auto& [from, to] : ranges) {
+    const std::size_t begin = std::max(from, first);
+    const std::size_t end = std::min(to, first + particles.size());
+    if (begin < end) append(part, slice(particles, begin - first, end - first));
+  }
+  return part;
+}
+
+/// The particles of a source, of which the first rank reads a range at a time.
+class ReadInRanges {
+ public:
+  ReadInRanges(ParticleSource* source, Ranks& ranks)
+      : source_(source), ranks_(ranks), size_(gather_from(ranks, source == nullptr ? 0 : source->size())[first_rank]) {}
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  /// Calls see(range, number of its first particle) for all ranges on all ranks; on others than the first they are empty.
+  template <class See>
+  void each(const See& see) const {
+    for (std::uint64_t from = 0; from < size_; from += particles_at_once) {
+      ParticleSet range;
+      on_the_first(ranks_, [&] { range = source_->range(from, std::min(size_, from + particles_at_once)); });
+      see(range, from);
+    }
+  }
+
+ private:
+  ParticleSource* source_;
+  Ranks& ranks_;
+  std::uint64_t size_;
+};
+
+/// The order in which the particles of a file stand.
+struct FileOrder {
+  bool is_of_lists = false;  // fluid before walls, as in a checkpoint
+  std::uint64_t fluid = 0;   // particles
+  void add(const ParticleSet& range) {
+    is_of_lists = range.doubles.contains(checkpoint_array::listed_at);
+    for (const ParticleType type : range.type) {
+      fluid += type == ParticleType::water || type == ParticleType::sediment ? 1 : 0;
+    }
+  }
+};
+
 /// All particles to all ranks, whose columns are made of them.
 void begin_with_all(const Case& of, const ParticleSet& particles, Ranks& ranks, const ParticleFileInfo& info,
                     bool may_use_gpus, RankStart& mine) {
@@ -101,17 +169,66 @@ void begin_with_all(const Case& of, const ParticleSet& particles, Ranks& ranks, 
 
 }  // namespace
 
+RankStart deal_out_in_ranges(const Case& of, ParticleSource* source, const std::string& file, Ranks& ranks) {
+  const ReadInRanges all(source, ranks);
+  RankStart mine;
+  SceneDigest digest(of.motions.size());
+  FileOrder order;
+  TwinSearch twins(ranks, of.model.seepage == SeepageModel::mixture);
+  all.each([&](const ParticleSet& range, std::uint64_t) {
+    digest.add(range);
+    order.add(range);
+    twins.add(range);
+  });
+  const std::string fault = twins.fault(file);
+  WholeScene whole{};
+  ParticleSet known;
+  on_the_first(ranks, [&] {
+    if (!fault.empty()) throw InputError(fault);
+    whole = facts_of(source->frame().info);
+    ParticleSet few = digest.particles();
+    few.info = source->frame().info;
+    few.facts = source->frame().facts;
+    mine.scene = make_scene(of, few);
+    known.facts = few.facts;
+    Population::of(few).add_to(known);
+  });
+  const ParticleFileInfo info =
+      info_with(gather_from(ranks, whole)[first_rank], source == nullptr ? ParticleFileInfo() : source->frame().info);
+  order = gather_from(ranks, order)[first_rank];
+  mine.scene = of.info.dimension == 3 ? send_scene<3>(ranks, mine.scene) : send_scene<2>(ranks, mine.scene);
+  const auto ranges_of = [&](int rank) {
+    const auto fluid = order.is_of_lists ? std::make_optional(std::size_t{order.fluid}) : std::nullopt;
+    return ranges_of_rank(all.size(), fluid, rank, ranks.size());
+  };
+  mine.particles.facts = from_message(broadcast(ranks, ranks.rank() == first_rank ? to_message(known) : Bytes())).facts;
+  mine.particles.info = info;
+  const std::vector<FileRange> own = ranges_of(ranks.rank());
+  mine.first_block = static_cast<std::int64_t>(own.front().first / sum_block);
+  std::size_t own_size = 0;
+  for (const auto& [from, to] : own) own_size += to - from;
+  all.each([&](const ParticleSet& range, std::uint64_t from) {
+    std::vector<Bytes> messages(static_cast<std::size_t>(ranks.size()));
+    for (int rank = 0; rank < ranks.size() && ranks.rank() == first_rank; ++rank) {
+      const ParticleSet part = part_of(ranges_of(rank), range, from);
+      if (part.size() > 0) messages[static_cast<std::size_t>(rank)] = to_message(part);
+    }
+    const Bytes message = scatter(ranks, messages);
+    if (message.empty()) return;
+    const ParticleSet part = from_message(message);
+    if (mine.particles.size() == 0) reserve(mine.particles, part, own_size);
+    append(mine.particles, part);
+  });
+  return mine;
+}
+
 RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, bool may_use_gpus) {
   const bool needs_all = models::SurfaceBedOfCase::is_on(of);
   RankStart mine;
   SharesOf shares;
   WholeScene whole{};
   on_the_first(ranks, [&] {
-    const ParticleFileInfo& info = particles.info;
-    whole.time = info.time;
-    whole.step = info.step;
-    whole.has_lattice_node = info.lattice_node.has_value();
-    if (info.lattice_node) Vec3::Map(whole.lattice_node) = *info.lattice_node;
+    whole = facts_of(particles.info);
     whole.may_use_gpus = may_use_gpus;
     if (needs_all) return;
     mine.scene = make_scene(of, particles);
@@ -119,10 +236,7 @@ RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, b
     shares = shares_of(mine.scene, particles, ranks.size());
   });
   whole = gather_from(ranks, whole)[first_rank];
-  ParticleFileInfo info = particles.info;
-  info.time = whole.time;
-  info.step = whole.step;
-  if (whole.has_lattice_node) info.lattice_node = Vec3(whole.lattice_node);
+  const ParticleFileInfo info = info_with(whole, particles.info);
   if (needs_all) {
     begin_with_all(of, particles, ranks, info, whole.may_use_gpus, mine);
     return mine;

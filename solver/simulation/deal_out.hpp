@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "case/case.hpp"
+#include "common/particle_source.hpp"
 #include "common/particles.hpp"
 #include "common/ranks.hpp"
 #include "solver/simulation/input.hpp"
@@ -25,5 +27,10 @@ struct RankStart {
 /// ranks. `may_use_gpus`, of which the first rank's counts: the memory that each GPU needs is estimated too, from all
 /// particles. Throws InputError on all of them for what the solver cannot run; the first one's says why.
 RankStart deal_out(const Case& of, const ParticleSet& particles, Ranks& ranks, bool may_use_gpus);
+
+/// The same of particles that the first rank reads range by range, and keeps none of but its share: `source` there, nullptr on the
+/// others. Of scenes that deals_in_ranges() is true for. Two particles with one id or in one place are refused, too, `file` being
+/// named.
+RankStart deal_out_in_ranges(const Case& of, ParticleSource* source, const std::string& file, Ranks& ranks);
 
 }  // namespace thalweg

@@ -82,6 +82,26 @@ ParticleSet from_message(const Bytes& bytes) {
   return particles_in(message);
 }
 
+Bytes scatter(Ranks& ranks, const std::vector<Bytes>& messages) {
+  const auto n = static_cast<std::size_t>(ranks.size());
+  const bool sends = ranks.rank() == 0;
+  Bytes sizes;
+  for (std::size_t r = 0; sends && r < n; ++r) {
+    const std::uint64_t size = messages[r].size();
+    append_to(sizes, &size, 1);
+  }
+  const Bytes known = broadcast(ranks, sizes);
+  std::vector<std::uint64_t> of_ranks(n);
+  MessageReader(known).read(of_ranks.data(), n);
+  Bytes mine(of_ranks[static_cast<std::size_t>(ranks.rank())]);
+  std::vector<std::span<const std::byte>> out(n);
+  if (sends) out.assign(messages.begin(), messages.end());
+  std::vector<std::span<std::byte>> in(n);
+  in[0] = mine;
+  ranks.exchange(out, in);
+  return mine;
+}
+
 SetSizes sizes_of(const ParticleSet& of_rank) {
   const double fluid = of_rank.facts.at(own_fluid_fact).at(0);
   return {of_rank.size(), fluid < 0 ? of_rank.size() : static_cast<std::uint64_t>(fluid)};

@@ -17,6 +17,9 @@ ParticleSet particles_in(MessageReader& message);
 Bytes to_message(const ParticleSet& set);
 ParticleSet from_message(const Bytes& message);
 
+/// messages[r] of the first rank to rank r; each returns its own. The others' are not read.
+Bytes scatter(Ranks& ranks, const std::vector<Bytes>& messages);
+
 /// The number of a set's particles, and of those that belong to its fluid part, which stands first.
 struct SetSizes {
   std::uint64_t all;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "case/case.hpp"
+#include "common/particle_source.hpp"
 #include "common/ranks.hpp"
 #include "solver/simulation/simulation.hpp"
 
@@ -22,6 +23,20 @@ struct StartOptions {
 /// them and deals them out; the others pass an empty set. Throws InputError for what the solver cannot run
 /// (make_scene.hpp) and for a device that cannot be used (input.hpp), on all ranks.
 std::unique_ptr<Simulation> start_simulation(const Case& of, const ParticleSet& particles, const StartOptions& options);
+
+/// Particles that the first of several ranks reads range by range.
+struct StartSource {
+  ParticleSource* particles;
+  std::string file;  // where they stand, for messages
+};
+
+/// The same with these; the others pass none. Of cases that deals_in_ranges() is true for; two particles with one id or in one
+/// place are refused here.
+std::unique_ptr<Simulation> start_simulation(const Case& of, const StartSource& source, const StartOptions& options);
+
+/// True if several ranks can start a case so that none holds all particles. A bed that is a surface, rough walls, a driven flow, and
+/// the estimate of the memory on GPUs need all of them.
+bool deals_in_ranges(const Case& of, const StartOptions& options);
 
 /// A simulation whose particles lie on several ranks: the first rank leads, and what it asks of its simulation the others
 /// do with their shares until it is destroyed. `ranks` outlives it.

@@ -71,6 +71,15 @@ class Ranks(unittest.TestCase):
             for (at, one), (_, other) in zip(alone[1], several[1]):
                 self.assertEqual(one, other, f"snapshot of t = {at} s on {ranks} ranks")
 
+    def test_a_damaged_file_is_refused_by_all_with_one_line(self):
+        self.fill(SETTINGS)
+        file = self.run / "particles.vtp"
+        whole = file.read_bytes()
+        file.write_bytes(whole[:len(whole) // 2] + b"A" + whole[len(whole) // 2 + 1:])
+        said = self.ends(self.solver("--ranks", 3), status=2)
+        self.assertEqual(said.count("error:"), 1, said)
+        self.assertIn("is damaged: its checksum does not fit its contents", said)
+
     def test_a_process_that_dies_ends_the_run_which_goes_on_from_its_checkpoint(self):
         for victim in (0, 1):
             shutil.rmtree(self.run, ignore_errors=True)

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "common/error.hpp"
 #include "common/one_rank.hpp"
+#include "common/particle_slices.hpp"
 #include "solver/simulation/start.hpp"
 #include "tests/solver/case_run.hpp"
 #include "tests/solver/thread_ranks.hpp"
@@ -52,6 +55,29 @@ inline Outcome run_alone(const std::string& backend, const Case& of, const Parti
   return outcome_of(*start_simulation(of, start, {backend, "auto", 1}), start.info, steps);
 }
 
+/// A set that is read range by range.
+class SetSource final : public ParticleSource {
+ public:
+  explicit SetSource(const ParticleSet& of) : of_(of) {
+    frame_.info = of.info;
+    frame_.facts = of.facts;
+  }
+  [[nodiscard]] std::uint64_t size() const override { return of_.size(); }
+  [[nodiscard]] const ParticleSet& frame() const override { return frame_; }
+  ParticleSet range(std::uint64_t from, std::uint64_t to) override {
+    if (to > unreadable_from) throw InputError("p.vtp: cannot be read");
+    largest = std::max(largest, to - from);
+    return slice(of_, from, to);
+  }
+
+  std::uint64_t largest = 0;  // range that was read
+  std::uint64_t unreadable_from = ~std::uint64_t{0};
+
+ private:
+  const ParticleSet& of_;
+  ParticleSet frame_;
+};
+
 inline Outcome run_on(int ranks, const std::string& backend, const Case& of, const ParticleSet& start, int steps) {
   if (ranks == 1) {
     OneRank mine;
@@ -63,8 +89,13 @@ inline Outcome run_on(int ranks, const std::string& backend, const Case& of, con
   ThreadRanks(ranks).run([&](Ranks& mine) {
     StartOptions shared{backend, "auto", 1};
     shared.ranks = &mine;
-    const ParticleSet nothing;  // the first rank alone has read the file
-    std::unique_ptr<Simulation> share = start_simulation(of, mine.rank() == 0 ? start : nothing, shared);
+    const ParticleSet nothing;  // the first rank alone reads the file
+    SetSource source(start);
+    const bool is_first = mine.rank() == 0;
+    std::unique_ptr<Simulation> share =
+        deals_in_ranges(of, shared)
+            ? start_simulation(of, is_first ? StartSource{&source, "p.vtp"} : StartSource{}, shared)
+            : start_simulation(of, is_first ? start : nothing, shared);
     if (mine.rank() == 0) {
       outcome = outcome_of(*lead(std::move(share), mine), start.info, steps);
     } else {
