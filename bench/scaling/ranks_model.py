@@ -2,13 +2,16 @@
 """Predicts how a scene runs on many ranks: ranks_model.py [--spacings "20 mm" …]
 
 The partition is counted, not guessed: list cells of a flume in the solver's own order (solver/lists/sort.hpp), cut into ranges of
-equal numbers of particles, and for each range the cells of others around it. How often a step sends and how much was counted by
-scaling.py --part ranks. Times are a sum of computing, latency and bandwidth.
+equal numbers of particles, for each range the cells of others around it, and the cells of its own that have none of them near: its
+interior. How often a step sends and how much was counted by scaling.py --part ranks. A sweep computes its interior while the copies
+that it needs are on their way, as in_parts() of solver/backend/device.hpp does: of an exchange beside a sweep counts what the interior
+leaves over. Exchanges that have no sweep beside them, and sums over all ranks, count whole. scaling.py --part flume measures the same.
 """
 
 import argparse
 import math
 import sys
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -22,6 +25,10 @@ NS_STEP = {"water": 270.0, "bed": 320.0}  # CPU ns a particle-step, one core, li
 NS_LISTS = {"water": 430.0, "bed": 570.0}  # a particle, each time lists are made
 NS_ITERATION = 50.0  # a particle and viscous iteration
 STEPS_PER_LISTS = 15  # assumed
+# Of a step without lists and viscous solve, the sweeps over the fluid that need copies (timing.csv of the scenes of scaling.py
+# --part ranks): forces and density rates. The sweep of the walls' pressure is too short to hide anything.
+SWEEPS = {"water": (0.51, 0.41), "bed": (0.36, 0.54)}
+SUM_BLOCK = 512  # particles: in a viscous iteration, whose sweep has a sum, a block waits if one of its clusters does
 # Counted (bench/records/scaling-ranks.md): of a step, what lists cost included, without the viscous solve; and of an iteration.
 EXCHANGES = {"water": 4, "bed": 5}
 QUADS = {"water": 8.5, "bed": 10}  # of 16 bytes that these carry, of each copy
@@ -92,10 +99,11 @@ class Partition:
         return np.array(begins, dtype=np.int64)
 
     def cut(self, ranks):
-        """Of the rank with most copies: copies, and the ranks it exchanges with; and the mean of the copies over the particles."""
-        owner = np.searchsorted(self.begins(ranks), self.rank_order, side="right").reshape(self.shape)
+        """Of the rank with most copies, and the mean of the copies over the particles."""
+        begins = self.begins(ranks)
+        owner = np.searchsorted(begins, self.rank_order, side="right").reshape(self.shape)
         number = np.arange(owner.size, dtype=np.int64).reshape(self.shape)
-        pairs, meetings = [], []
+        pairs, meetings, borders = [], [], []
         for offset in np.ndindex(3, 3, 3):
             here = tuple(slice(max(0, 1 - o), n - max(0, o - 1)) for o, n in zip(offset, self.shape))
             there = tuple(slice(max(0, o - 1), n - max(0, 1 - o)) for o, n in zip(offset, self.shape))
@@ -104,23 +112,47 @@ class Partition:
                 continue
             pairs.append(np.unique(owner[here][differ] * owner.size + number[there][differ]))
             meetings.append(np.unique(owner[here][differ] * ranks + owner[there][differ]))
+            borders.append(np.unique(number[here][differ]))
         if not pairs:
-            return 0, 0, 0.0
+            return Cut()
         copies = np.bincount(np.unique(np.concatenate(pairs)) // owner.size, minlength=ranks) * self.per_cell
         partners = np.bincount(np.unique(np.concatenate(meetings)) // ranks, minlength=ranks)
-        return copies.max(), int(partners.max()), copies.sum() / self.particles
+        rank = int(copies.argmax())
+        ends = np.concatenate([[0], begins, [owner.size]])
+        at_border = np.sort(self.rank_order[np.unique(np.concatenate(borders))])
+        at_border = at_border[slice(*np.searchsorted(at_border, ends[rank:rank + 2]))] - ends[rank]
+        size = int(ends[rank + 1] - ends[rank])
+        block = max(1, round(SUM_BLOCK / self.per_cell))
+        return Cut(copies.max(), int(partners.max()), copies.sum() / self.particles, 1 - len(at_border) / size,
+                   1 - len(np.unique(at_border // block)) / math.ceil(size / block))
 
 
-def seconds_of_step(kind, particles, copies, partners, ranks):
-    """(computing, exchanges, collectives) [s]"""
+@dataclass
+class Cut:
+    """Of the rank with most copies; nothing to exchange: one rank."""
+    copies: float = 0
+    partners: int = 0             # at most, of any rank
+    mean_copies: float = 0        # of all ranks, a particle
+    interior: float = 1           # share of the particles that have no copy near
+    interior_blocks: float = 1    # share of the blocks of sums that have no such particle
+
+
+def seconds_of_step(kind, particles, cut, ranks):
+    """(computing, exchanges, collectives) [s]; of exchanges what no computing hides."""
     iterations = ITERATIONS if kind == "bed" else 0
-    computing = particles / ranks * 1e-9 * (NS_STEP[kind] + NS_LISTS[kind] / STEPS_PER_LISTS + iterations * NS_ITERATION)
+    own = particles / ranks * 1e-9
+    sweeps = own * NS_STEP[kind] * np.array(SWEEPS[kind])
+    iteration = own * NS_ITERATION
+    computing = own * (NS_STEP[kind] + NS_LISTS[kind] / STEPS_PER_LISTS) + iterations * iteration
     if ranks == 1:
         return computing, 0.0, 0.0
-    sent = copies * 16 * (QUADS[kind] + iterations) / BANDWIDTH
-    exchanges = (EXCHANGES[kind] + iterations) * partners * LATENCY + sent
+    latency = cut.partners * LATENCY
+    exchange = latency + cut.copies * 16 * QUADS[kind] / EXCHANGES[kind] / BANDWIDTH
+    of_iteration = latency + cut.copies * 16 / BANDWIDTH
+    left = np.maximum(0, exchange - cut.interior * sweeps).sum() + (EXCHANGES[kind] - len(sweeps)) * exchange
+    left += iterations * max(0.0, of_iteration - cut.interior_blocks * iteration)
     collectives = (COLLECTIVES[kind] + iterations * COLLECTIVES_AN_ITERATION) * HOP * math.log2(ranks)
-    return computing, exchanges, collectives
+    return computing, left, collectives
 
 
 def main():
@@ -132,20 +164,21 @@ def main():
     for spacing in arguments.spacings:
         partition = Partition(spacing)
         print(f"\n{partition.particles / 1e6:.0f} million particles, spacing {spacing * 1000:.3g} mm\n")
-        print("| ranks | copies a particle | ranks that one exchanges with, at most | water: ms a step | efficiency "
-              "| bed: ms a step | efficiency |\n|---|---|---|---|---|---|---|")
+        print("| ranks | copies a particle | ranks that one exchanges with, at most | interior | water: ms a step | efficiency "
+              "| bed: ms a step | efficiency |\n|---|---|---|---|---|---|---|---|")
         alone = {}
         for ranks in (r for r in RANKS if r <= arguments.most_ranks):
-            copies, partners, mean = partition.cut(ranks)
-            cells = [f"{ranks}", f"{mean:.3f}", f"{partners}"]
+            cut = partition.cut(ranks)
+            cells = [f"{ranks}", f"{cut.mean_copies:.3f}", f"{cut.partners}", f"{cut.interior:.2f}"]
             for kind in ("water", "bed"):
-                total = sum(seconds_of_step(kind, partition.particles, copies, partners, ranks))
+                total = sum(seconds_of_step(kind, partition.particles, cut, ranks))
                 alone.setdefault(kind, total)
                 cells += [f"{total * 1000:.3g}", f"{alone[kind] / total / ranks:.2f}"]
             print("| " + " | ".join(cells) + " |", flush=True)
     print(f"\nAssumed: {LATENCY * 1e6:g} us a message, {HOP * 1e6:g} us a collective for each doubling of the ranks, "
           f"{BANDWIDTH / 1e9:g} GB/s a rank, {ITERATIONS} viscous iterations a step, new lists every {STEPS_PER_LISTS} steps, "
-          "one core a rank, all ranks equally loaded, no overlap of computing and exchanging.")
+          "one core a rank, all ranks equally loaded. Interior: share of the particles, on the rank with most copies, that has "
+          "none near; they are computed while copies travel.")
     return 0
 
 

@@ -198,6 +198,72 @@ def ranks(given, record):
                   "bytes of arrays a particle", "CPU ns a particle-step, all ranks together", "viscous iterations a step"], counts)
 
 
+FLUME = """
+[case]
+name = "flume"
+dimension = 3
+[domain]
+from = [{low}]
+to = [{top}]
+gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+[[shape]]
+name = "walls"
+kind = "box"
+role = "wall"
+from = [{low}]
+to = [{high}]
+[[shape]]
+name = "inside"
+kind = "box"
+role = "empty"
+from = ["0 m", "0 m", "0 m"]
+to = ["5 m", "0.5 m", "1 m"]
+[[shape]]
+name = "water"
+kind = "box"
+role = "water"
+from = ["0 m", "0 m", "0 m"]
+to = ["5 m", "0.5 m", "0.3 m"]
+{bed}
+[numerics]
+spacing = "{spacing} m"
+maximum_speed = "2 m/s"
+[output]
+end = "10 s"
+"""
+
+
+def flume(given, record):
+    """The flume of ranks_model.py: what the model says beside what is measured."""
+    from ranks_model import Partition, seconds_of_step
+
+    partition = Partition(given.spacing)
+    wall = 3 * given.spacing
+    rows = []
+    for kind in ("water", "bed"):
+        bed = BED.format(low=lengths(0, 0, 0), high=lengths(5, 0.5, 0.1)) if kind == "bed" else ""
+        text = FLUME.format(low=lengths(-wall, -wall, -wall), high=lengths(5 + wall, 0.5 + wall, 0.35),
+                            top=lengths(5 + wall, 0.5 + wall, 0.4), bed=bed, spacing=given.spacing)
+        run = fill(given.thalweg, write_case(text, given.out / f"flume-{kind}"), given.out / f"flume-{kind}" / "run")
+        many = 2 + max(10, int(given.work / partition.particles))
+        turns = in_turn({f"{kind}, {n} ranks": lambda n=n: measured_steps(given, run, 2, many, 1, "--ranks", n) for n in (1, 2)},
+                        given.repeats)
+        one, two = turns.values()
+        told = {n: sum(seconds_of_step(kind, partition.particles, partition.cut(n), n)) for n in (1, 2)}
+        rows.append([kind, one[0].last.fluid, Spread.of(t.wall for t in one), Spread.of(t.wall for t in two),
+                     ratios((t.wall / 2 for t in one), (t.wall for t in two)), told[1] / told[2] / 2])
+    record.table("By the clock, one thread a rank, in turn; which needs a machine with two cores and nothing else to do",
+                 ["scene", "particles", "ns a particle-step, one rank", "two ranks", "efficiency", "predicted"], rows)
+    counts = []
+    for ranks in (2, 4, 8):
+        solve(given.thalweg, run, "--benchmark", 3, "--ranks", ranks, threads=1)
+        told = {row["quantity"]: row["value"] for row in text_rows(run / "summary.csv")}
+        cut = partition.cut(ranks)
+        counts.append([ranks, float(told["copies_per_particle"]), cut.mean_copies, cut.interior])
+    record.table("Counted, with walls, and predicted, without", ["ranks", "copies a particle", "predicted", "interior, predicted"],
+                 counts)
+
+
 def counted(given, run, steps):
     """Instructions, reads and writes, misses of the first and of the last cache, as valgrind's model of them counts."""
     said = call("valgrind", "--tool=cachegrind", "--cache-sim=yes", f"--LL={LAST_CACHE},16,64",
@@ -236,8 +302,9 @@ def main():
     parser.add_argument("--work", type=float, default=4e6, help="particle-steps of a run, about (default: %(default)g)")
     parser.add_argument("--thread-particles", type=int, default=200000, help="of the 3-D scenes of the part threads")
     parser.add_argument("--traffic-particles", type=int, default=30000, help="of the scenes of the part traffic")
-    parser.add_argument("--part", choices=("space", "plane", "threads", "ranks", "traffic"),
-                        help="default: all but traffic and ranks")
+    parser.add_argument("--part", choices=("space", "plane", "threads", "ranks", "flume", "traffic"),
+                        help="default: all but traffic, ranks and flume")
+    parser.add_argument("--spacing", type=float, default=0.0125, help="of the part flume [m] (default: %(default)g)")
     given = parser.parse_args()
 
     record = Record("scaling" + (f"-{given.part}" if given.part else ""), "Particles and threads",
@@ -253,6 +320,8 @@ def main():
         threads(given, record)
     if given.part == "ranks":
         ranks(given, record)
+    if given.part == "flume":
+        flume(given, record)
     if given.part == "traffic":
         traffic(given, record)
     record.write(given.records)
