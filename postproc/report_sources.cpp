@@ -70,6 +70,12 @@ std::vector<Scatter> scatter_of_run(const ReportInput& input, const std::string&
   return scatter_of(along);
 }
 
+// True if something was measured along one of the lines: reference/NAME/t0.250.csv.
+bool has_profiles_along(const std::vector<ProfileLine>& lines, const fs::path& folder) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const ProfileLine& line) { return holds_profiles(folder / line.name); });
+}
+
 void append(Comparison& all, Comparison&& more) {
   std::move(more.errors.begin(), more.errors.end(), std::back_inserter(all.errors));
   std::move(more.scalars.begin(), more.scalars.end(), std::back_inserter(all.scalars));
@@ -106,6 +112,11 @@ void add_measurements(ReportInput& input) {
   if (slots.empty()) slots.emplace_back("reference");  // the usual place, docs/case-file.md
   for (const std::string& slot : slots) {
     const fs::path folder = resolved.folder / slot;
+    const std::string label = slots.size() == 1 ? "measured" : "measured, " + fs::path(slot).filename().string();
+    if (fs::is_directory(folder) && !holds_profiles(folder) && has_profiles_along(resolved.lines, folder)) {
+      input.sets.push_back({label, SourceKind::measured, folder, {}});
+      continue;
+    }
     if (!fs::exists(folder) || (fs::is_directory(folder) && !holds_profiles(folder))) {
       const char* why = !fs::exists(folder)    ? " does not exist"
                         : fs::is_empty(folder) ? " is empty"
@@ -113,7 +124,6 @@ void add_measurements(ReportInput& input) {
       input.reference_notes.push_back("no measured profiles: " + short_name(folder) + why);
       continue;
     }
-    const std::string label = slots.size() == 1 ? "measured" : "measured, " + fs::path(slot).filename().string();
     input.sets.push_back(read_profile_set(folder, label, SourceKind::measured));
   }
 }

@@ -14,16 +14,18 @@ CURVE = Key("curve", "text", "bed, free_surface or moving_bed", required=True, w
 @measure("profile", "A profile at one time against a measured one that the case compares with (reference/t0.500.csv), as in "
          "report/errors.csv: root mean square, bias, largest error, Brier skill score.",
          CURVE, Key("at", "number", "time [s], one of compare.times or bed_times", required=True),
+         Key("line", "text", "name of a [[line]], measured in reference/NAME/t0.500.csv; default: the profile along x"),
          Key("source", "text", "label of the measurement in report/errors.csv; default: the only one there"), reference=False)
 def profile(finished, entry, _):
     given = entry.given
     file = finished.folder / "report/errors.csv"
     rows = [row for row in (read_table(file) if file.exists() else [])
-            if row["curve"] == given["curve"] and math.isclose(row["time"], given["at"], abs_tol=1e-6)
-            and given.get("source") in (None, row["reference"])]
+            if row["curve"] == given["curve"] and (row["line"] or "") == given.get("line", "")
+            and math.isclose(row["time"], given["at"], abs_tol=1e-6) and given.get("source") in (None, row["reference"])]
     if len({row["reference"] for row in rows}) != 1:
+        along = f"along {given['line']} " if "line" in given else ""
         labels = sorted({row["reference"] for row in rows})
-        finished.fail(f"run {finished.run.name} compares the {given['curve']} at {given['at']:g} s with "
+        finished.fail(f"run {finished.run.name} compares the {given['curve']} at {given['at']:g} s {along}with "
                       f"{'no measurement' if not rows else ' and '.join(labels)}; see report/errors.csv, give source, or a profile in reference/")
     row = rows[0]
     number = {key: value if isinstance(value, float) else None for key, value in row.items()}

@@ -13,6 +13,7 @@
 #include "postproc/figures/script_template.hpp"
 #include "postproc/gnuplot.hpp"
 #include "postproc/measure_settings.hpp"
+#include "postproc/report_sources.hpp"
 #include "postproc/run_records.hpp"
 #include "tests/postproc/synthetic_run.hpp"
 
@@ -175,6 +176,26 @@ TEST(Gnuplot, PutsPicturesInPlaceWhole) {
     names.push_back(entry.path().filename().string());
   EXPECT_THAT(names, testing::UnorderedElementsAre("a.gp", "a.svg", "a.png"));
   EXPECT_EQ(contents_of(folder.path() / "p" / "a.png"), "drawn\n");
+}
+
+TEST(Measurements, MayLieAlongLinesAlone) {
+  const TemporaryFolder folder("measured_lines");
+  std::filesystem::create_directories(folder.path() / "reference/s1");
+  write_text(folder.path() / "reference/s1/t20.000.csv", "x [m],bed [m]\n0.1,0.03\n0.2,0.05\n");
+  ReportInput input;
+  input.resolved.folder = folder.path();
+  add_measurements(input);
+  EXPECT_TRUE(input.sets.empty());
+  EXPECT_EQ(input.reference_notes.size(), 1U);
+
+  input.resolved.lines = {{"s1", {0, 0.2}, {1, 0.2}}, {"s2", {0, 0.7}, {1, 0.7}}};
+  add_measurements(input);
+  ASSERT_EQ(input.sets.size(), 1U);
+  EXPECT_TRUE(input.sets.front().profiles.empty());
+  const std::optional<ProfileSet> along = read_line_set(input.sets.front(), "s1");
+  ASSERT_TRUE(along && along->at(20) != nullptr);
+  EXPECT_EQ(along->at(20)->profile.bed.at(1), 0.05);
+  EXPECT_FALSE(read_line_set(input.sets.front(), "s2"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 import math
 import pathlib
 import sys
+import tempfile
 import types
 import unittest
 
@@ -119,6 +120,20 @@ class Measures(unittest.TestCase):
         rows = [(0.0, 1.0), (1.0, 3.0), (2.0, 7.0)]
         points = self.measured("column", {"file": "f", "column": "c", "at": [0.9, 2.0], "less": 1}, column=lambda *_: rows)
         self.assertEqual([point.computed for point in points], [2, 6])
+
+    def test_profile_along_a_line_and_along_x(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder) / "report"
+            report.mkdir()
+            (report / "errors.csv").write_text(
+                "reference,compared,line,curve,time [s],points [-],rmse [m],normalised_rmse [-],bias [m],largest_error [m],largest_error_at [m],"
+                "brier_skill [-]\nmeasured,run,,bed,20,5,0.01,0.1,0,0.02,0.3,0.5\nmeasured,run,s1,bed,20,7,0.03,0.2,0.01,0.05,0.4,\n")
+            given = {"curve": "bed", "at": 20}
+            self.assertEqual(self.measured("profile", given, folder=pathlib.Path(folder)).rmse, 0.01)
+            along = self.measured("profile", {**given, "line": "s1"}, folder=pathlib.Path(folder))
+            self.assertEqual((along.points, along.rmse, along.bias), (7, 0.03, 0.01))
+            with self.assertRaisesRegex(InputError, "at 20 s along s2 with no measurement"):
+                self.measured("profile", {**given, "line": "s2"}, folder=pathlib.Path(folder), fail=fail)
 
     def test_front_passes_over_two_drops(self):
         particles = {"Points": [x for place in (0.5, 0.9, 0.8, 0.4, 2.0) for x in (place, 0, 0)], "Type": (2, 2, 2, 2, 0)}
