@@ -48,7 +48,8 @@ struct ReportInput {
   Case resolved;
   RunFolder run;
   ExtractionRun extraction;
-  std::vector<ProfileSet> sets;  // the run first
+  std::vector<ProfileSet> sets;          // the run first
+  std::vector<ProfileSet> line_sources;  // what was measured along lines and not along x: places, without profiles
   Comparison comparison;
   std::vector<std::string> reference_notes;  // empty slots and the like, in words
   std::vector<Repeatability> repeatability;

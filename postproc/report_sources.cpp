@@ -114,7 +114,7 @@ void add_measurements(ReportInput& input) {
     const fs::path folder = resolved.folder / slot;
     const std::string label = slots.size() == 1 ? "measured" : "measured, " + fs::path(slot).filename().string();
     if (fs::is_directory(folder) && !holds_profiles(folder) && has_profiles_along(resolved.lines, folder)) {
-      input.sets.push_back({label, SourceKind::measured, folder, {}});
+      input.line_sources.push_back({label, SourceKind::measured, folder, {}});
       continue;
     }
     if (!fs::exists(folder) || (fs::is_directory(folder) && !holds_profiles(folder))) {
@@ -148,9 +148,11 @@ void compare_sources(ReportInput& input, const std::vector<ProfileLine>& further
   lines.insert(lines.end(), further_lines.begin(), further_lines.end());
   for (const ProfileLine& line : lines) {
     std::vector<ProfileSet> sets;
-    for (const ProfileSet& source : input.sets) {
-      std::optional<ProfileSet> set = set_along(line.name, source, input.extraction);
-      if (set) sets.push_back(std::move(*set));
+    for (const std::vector<ProfileSet>* sources : {&input.sets, &input.line_sources}) {
+      for (const ProfileSet& source : *sources) {
+        std::optional<ProfileSet> set = set_along(line.name, source, input.extraction);
+        if (set) sets.push_back(std::move(*set));
+      }
     }
     Comparison along = compare_all(sets, range);
     add_scatter(along, run_label, scatter_of_run(input, line.name, repeats));

@@ -185,17 +185,17 @@ TEST(Measurements, MayLieAlongLinesAlone) {
   ReportInput input;
   input.resolved.folder = folder.path();
   add_measurements(input);
-  EXPECT_TRUE(input.sets.empty());
+  EXPECT_TRUE(input.line_sources.empty());
   EXPECT_EQ(input.reference_notes.size(), 1U);
 
   input.resolved.lines = {{"s1", {0, 0.2}, {1, 0.2}}, {"s2", {0, 0.7}, {1, 0.7}}};
   add_measurements(input);
-  ASSERT_EQ(input.sets.size(), 1U);
-  EXPECT_TRUE(input.sets.front().profiles.empty());
-  const std::optional<ProfileSet> along = read_line_set(input.sets.front(), "s1");
+  EXPECT_TRUE(input.sets.empty());  // nothing to draw along x
+  ASSERT_EQ(input.line_sources.size(), 1U);
+  const std::optional<ProfileSet> along = read_line_set(input.line_sources.front(), "s1");
   ASSERT_TRUE(along && along->at(20) != nullptr);
   EXPECT_EQ(along->at(20)->profile.bed.at(1), 0.05);
-  EXPECT_FALSE(read_line_set(input.sets.front(), "s2"));
+  EXPECT_FALSE(read_line_set(input.line_sources.front(), "s2"));
 }
 
 }  // namespace
