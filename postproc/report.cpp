@@ -106,7 +106,7 @@ std::vector<fs::path> write_scripts(const ReportInput& input, const fs::path& pi
     scripts.push_back(std::move(script));
   }
   const double spacing = input.extraction.info.spacing;
-  scripts.push_back(writer.particles(table, frame, spacing));
+  if (!table.kinds.empty()) scripts.push_back(writer.particles(table, frame, spacing));
   if (fs::exists(input.run.particles())) {
     const ParticleTable start =
         write_particle_table(input.run.report() / "data" / "scene.csv", read_particles(input.run.particles()),

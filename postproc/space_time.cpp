@@ -42,6 +42,7 @@ BedHistory write_bed_history(const fs::path& file, const ReportInput& input) {
           {csv_number(now.x[i]), csv_number(time), csv_number(from), csv_number(to), fmt::format("{:.6g}", rise[i])});
     }
   }
+  if (table.rows() == 0) return history;  // the plane of the profiles has no bed
   table.write(file);
   history.times = profiles.size();
   return history;

@@ -17,6 +17,7 @@
 #include "solver/models/sub_particle/model.hpp"
 #include "solver/models/surface_bed/model.hpp"
 #include "solver/models/suspended_load/model.hpp"
+#include "solver/models/thin_film/model.hpp"
 #include "solver/models/wall_stress/model.hpp"
 #include "tests/template_model/tracer/model.hpp"
 
@@ -27,7 +28,7 @@ namespace thalweg {
 /// The list. Within a stage models run in this order.
 using AllModels =
     ModelList<MixtureModel, MovingWallsModel, BedModel, NoSlipModel, ViscosityModel, PoreModel, SubParticleModel,
-              StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel, ShiftingModel,
+              StatesModel, BedLoadModel, RestModel, WallStressModel, SuspendedLoadModel, ThinFilmModel, ShiftingModel,
               MixingLengthModel, CurrentModel, OpeningsModel, SurfaceBedModel, TracerModel>;
 
 }  // namespace thalweg
