@@ -23,6 +23,7 @@ MODELS = [
     ("inlet and outlet", "cases/weir", ('numerics.spacing="10 mm"',), "20 ms"),
     ("suspended load", "cases/batch_sedimentation", ('numerics.spacing="10 mm"',), "20 ms"),
     ("surface bed", "cases/pipeline_hours", (), "5 ms"),
+    ("films", "cases/spheric02", ('numerics.spacing="6 cm"', "model.thin_films=true"), "20 ms"),
     ("bed load by a law", "models/bed_load-flat.toml", (), "5 ms"),
     ("opening in space", "models/openings-space.toml", (), "5 ms"),
     ("grains through openings", "models/openings-grains.toml", (), "5 ms"),

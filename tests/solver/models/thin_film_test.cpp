@@ -21,7 +21,7 @@ constexpr double extent = 0.12;   // [m] half of the film's length at the start
 constexpr double strain = 5;      // [1/s] of the velocity at the start: as fast as two waves on the film at its ends
 constexpr double duration = 0.3;  // [s] the film becomes 2.5 times as long
 
-template <int Dim>
+template <int Dim, class On = test::Cpu>
 Film stretched(double spacing, bool corrected) {
   test::LatticeSetup<Dim> setup;
   setup.spacing = spacing;
@@ -49,8 +49,8 @@ Film stretched(double spacing, bool corrected) {
     if (particles.type[i] != ParticleType::water) continue;
     particles.velocity[i].x() = static_cast<float>(strain * (particles.position[i].x() - middle));
   }
-  auto l = test::load<test::Cpu>(scene, particles);
-  Workspace<test::Cpu> work;
+  auto l = test::load<On>(scene, particles);
+  Workspace<On> work;
   Timing timing;
   double t = 0;
   while (t < duration * (1 - 1e-9)) t += advance(l.on, l.p, l.scene, work, duration - t, timing).step.dt;
@@ -92,6 +92,13 @@ TEST(ThinFilm, KeepsItsMiddleAtHalfOfItsDepthInThePlane) {
 }
 
 TEST(ThinFilm, KeepsItsMiddleAtHalfOfItsDepthInSpace) { expect_thin<3>(0.01); }
+
+TEST(ThinFilm, IsTheSameOnAGpu) {
+  const Film cores = stretched<2>(0.01, true);
+  const Film gpu = stretched<2, test::Guarded>(0.01, true);
+  EXPECT_NEAR(gpu.height, cores.height, 1e-3);
+  EXPECT_NEAR(gpu.lowest, cores.lowest, 1e-3);
+}
 
 TEST(ThinFilm, SinksTooFarWithoutTheCorrection) {
   const Film film = stretched<3>(0.01, false);
