@@ -113,11 +113,12 @@ void add_measurements(ReportInput& input) {
   for (const std::string& slot : slots) {
     const fs::path folder = resolved.folder / slot;
     const std::string label = slots.size() == 1 ? "measured" : "measured, " + fs::path(slot).filename().string();
-    if (fs::is_directory(folder) && !holds_profiles(folder) && has_profiles_along(resolved.lines, folder)) {
+    const bool lacks_profiles = fs::is_directory(folder) && !holds_profiles(folder);
+    if (lacks_profiles && has_profiles_along(resolved.lines, folder)) {
       input.line_sources.push_back({label, SourceKind::measured, folder, {}});
       continue;
     }
-    if (!fs::exists(folder) || (fs::is_directory(folder) && !holds_profiles(folder))) {
+    if (lacks_profiles || !fs::exists(folder)) {
       const char* why = !fs::exists(folder)    ? " does not exist"
                         : fs::is_empty(folder) ? " is empty"
                                                : " holds none (t0.500.csv)";

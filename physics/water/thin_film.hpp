@@ -11,8 +11,9 @@
 //   alpha div u + S dz/dt = 0
 //   alpha = -sum_f V F r^2/(D - 1)   over the fluid around, which lies beside the particle
 //   S     = |sum_w V F r|            over the walls below
-// On a lattice alpha/S is 2.3 times the middle's height. Worse, S stays where z tends to zero, so that a film stretched
-// three times lies below the floor. With the share s of the fluid's part it sinks as it has to:
+// On a lattice in space with h = 1.5 dp alpha/S is 2.3 times the middle's height. Worse, S stays where z tends to zero, so
+// that a film drawn out to 2.5 times its length lies on the floor, and in parts below it. With the share s of the fluid's
+// part it sinks as it has to:
 //   s = z S/alpha = kappa (1/2 - sum_w V W)/alpha
 // The walls' share sum_w V W is 1/2 on their surface and falls off with the slope S. kappa [-] corrects for the kernel's
 // curvature, so that z is half a spacing where the lattice has it there.

@@ -197,21 +197,22 @@ RankStart deal_out_in_ranges(const Case& of, ParticleSource* source, const std::
       info_with(gather_from(ranks, whole)[first_rank], source == nullptr ? ParticleFileInfo() : source->frame().info);
   order = gather_from(ranks, order)[first_rank];
   mine.scene = of.info.dimension == 3 ? send_scene<3>(ranks, mine.scene) : send_scene<2>(ranks, mine.scene);
-  const auto ranges_of = [&](int rank) {
-    const auto fluid = order.is_of_lists ? std::make_optional(std::size_t{order.fluid}) : std::nullopt;
-    return ranges_of_rank(all.size(), fluid, rank, ranks.size());
-  };
+  const auto fluid = order.is_of_lists ? std::make_optional(std::size_t{order.fluid}) : std::nullopt;
+  std::vector<std::vector<FileRange>> ranges;  // of each rank
+  for (int rank = 0; rank < ranks.size(); ++rank) {
+    ranges.push_back(ranges_of_rank(all.size(), fluid, rank, ranks.size()));
+  }
   mine.particles.facts = from_message(broadcast(ranks, ranks.rank() == first_rank ? to_message(known) : Bytes())).facts;
   mine.particles.info = info;
-  const std::vector<FileRange> own = ranges_of(ranks.rank());
+  const std::vector<FileRange>& own = ranges[static_cast<std::size_t>(ranks.rank())];
   mine.first_block = static_cast<std::int64_t>(own.front().first / sum_block);
   std::size_t own_size = 0;
   for (const auto& [from, to] : own) own_size += to - from;
   all.each([&](const ParticleSet& range, std::uint64_t from) {
-    std::vector<Bytes> messages(static_cast<std::size_t>(ranks.size()));
-    for (int rank = 0; rank < ranks.size() && ranks.rank() == first_rank; ++rank) {
-      const ParticleSet part = part_of(ranges_of(rank), range, from);
-      if (part.size() > 0) messages[static_cast<std::size_t>(rank)] = to_message(part);
+    std::vector<Bytes> messages(ranges.size());
+    for (std::size_t rank = 0; rank < ranges.size() && ranks.rank() == first_rank; ++rank) {
+      const ParticleSet part = part_of(ranges[rank], range, from);
+      if (part.size() > 0) messages[rank] = to_message(part);
     }
     const Bytes message = scatter(ranks, messages);
     if (message.empty()) return;
