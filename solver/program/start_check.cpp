@@ -12,6 +12,7 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "solver/simulation/particle_faults.hpp"
 #include "solver/simulation/start.hpp"
 
 namespace thalweg {
@@ -72,11 +73,11 @@ class Checker {
 
   void ids() const {
     const auto order = sorted([&](std::size_t a, std::size_t b) { return p_.id[a] < p_.id[b]; });
-    if (p_.id[order.front()] < 0)
-      reject(fmt::format("a particle has the id {}", p_.id[order.front()]), "number from 0");
+    const std::int64_t least = p_.id[order.front()];
+    if (least < 0) throw InputError(fault_of_negative_id(file_.string(), least));
     const auto twin = std::adjacent_find(order.begin(), order.end(),
                                          [&](std::size_t a, std::size_t b) { return p_.id[a] == p_.id[b]; });
-    if (twin != order.end()) reject(fmt::format("two particles have the id {}", p_.id[*twin]), "give each its own");
+    if (twin != order.end()) throw InputError(fault_of_two_with_an_id(file_.string(), p_.id[*twin]));
   }
 
   /// A plane scene of so many particles in this box lies in the plane of x and z.
@@ -106,7 +107,8 @@ class Checker {
       const ParticleType other = p_.type[order[i - 1]];
       if (!is_fluid(type) && !is_fluid(other)) continue;
       if (mixed && type != other) continue;
-      reject_particle(order[i], fmt::format("it lies in the place of particle {}", p_.id[order[i - 1]]));
+      throw InputError(fault_of_two_in_a_place(file_.string(), p_.id[order[i]], p_.position[order[i]],
+                                               p_.id[order[i - 1]]));
     }
   }
 
@@ -120,9 +122,7 @@ class Checker {
     throw InputError(fmt::format("{}: {}; {}", file_.string(), what, cure));
   }
   [[noreturn]] void reject_particle(std::size_t i, const std::string& what) const {
-    reject(fmt::format("particle {} at x = {:.4g} m, z = {:.4g} m: {}", p_.id[i], p_.position[i].x(),
-                       p_.position[i].z(), what),
-           "correct it, or fill the scene with gencase");
+    throw InputError(fault_of_particle(file_.string(), p_.id[i], p_.position[i], what));
   }
 
   template <class Less>

@@ -6,14 +6,18 @@
 #include <type_traits>
 #include <utility>
 
+#include "case/models/driven_flow.hpp"
 #include "case/models/surface_bed.hpp"
+#include "case/models/wall_friction.hpp"
 #include "common/error.hpp"
 #include "common/particle_slices.hpp"
+#include "solver/models/current/water_body.hpp"
 #include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "solver/simulation/deal.hpp"
 #include "solver/simulation/gpu_memory.hpp"
 #include "solver/simulation/make_scene.hpp"
 #include "solver/simulation/particle_messages.hpp"
+#include "solver/simulation/ranged_walls.hpp"
 #include "solver/simulation/scene_digest.hpp"
 #include "solver/simulation/twin_search.hpp"
 
@@ -126,12 +130,16 @@ class ReadInRanges {
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
-  /// Calls see(range, number of its first particle) for all ranges on all ranks; on others than the first they are empty.
-  template <class See>
-  void each(const See& see) const {
+  /// Calls prepare(range) on the first rank and then see(range, number of its first particle) on all ranks, for all ranges; on
+  /// others than the first they are empty.
+  template <class Prepare, class See>
+  void each(const Prepare& prepare, const See& see) const {
     for (std::uint64_t from = 0; from < size_; from += particles_at_once) {
       ParticleSet range;
-      on_the_first(ranks_, [&] { range = source_->range(from, std::min(size_, from + particles_at_once)); });
+      on_the_first(ranks_, [&] {
+        range = source_->range(from, std::min(size_, from + particles_at_once));
+        prepare(range);
+      });
       see(range, from);
     }
   }
@@ -154,6 +162,38 @@ struct FileOrder {
   }
 };
 
+/// The first rank's knowledge of a scene whose particles it reads range by range.
+class RangedScene {
+ public:
+  explicit RangedScene(const Case& of) : of_(of), digest_(of.motions.size()) {
+    if (models::DrivenFlow::is_on(of)) water_.emplace(of);
+  }
+  void add(const ParticleSet& range) {
+    digest_.add(range);
+    if (water_) water_->add(range);
+    if (models::WallStress::is_on(of_)) walls_.add(range);
+  }
+  /// The scene, and in `known` the facts that hold for all particles.
+  AnyScene make(const ParticleSet& frame, ParticleSet& known) {
+    ParticleSet few = digest_.particles();
+    few.info = frame.info;
+    few.facts = frame.facts;
+    AnyScene scene = make_scene(of_, few, water_ ? &*water_ : nullptr);
+    walls_.find(scene);
+    known.facts = few.facts;
+    Population::of(few).add_to(known);
+    return scene;
+  }
+  /// When the ranges are read again.
+  void give_elements(ParticleSet& range) { walls_.give(range); }
+
+ private:
+  const Case& of_;
+  SceneDigest digest_;
+  std::optional<WaterBody> water_;
+  RangedWalls walls_;
+};
+
 /// All particles to all ranks, whose columns are made of them.
 void begin_with_all(const Case& of, const ParticleSet& particles, Ranks& ranks, const ParticleFileInfo& info,
                     bool may_use_gpus, RankStart& mine) {
@@ -172,26 +212,22 @@ void begin_with_all(const Case& of, const ParticleSet& particles, Ranks& ranks, 
 RankStart deal_out_in_ranges(const Case& of, ParticleSource* source, const std::string& file, Ranks& ranks) {
   const ReadInRanges all(source, ranks);
   RankStart mine;
-  SceneDigest digest(of.motions.size());
+  RangedScene scene(of);
   FileOrder order;
   TwinSearch twins(ranks, of.model.seepage == SeepageModel::mixture);
-  all.each([&](const ParticleSet& range, std::uint64_t) {
-    digest.add(range);
-    order.add(range);
-    twins.add(range);
-  });
+  all.each(
+      [&](const ParticleSet& range) {
+        scene.add(range);
+        order.add(range);
+      },
+      [&](const ParticleSet& range, std::uint64_t) { twins.add(range); });
   const std::string fault = twins.fault(file);
   WholeScene whole{};
   ParticleSet known;
   on_the_first(ranks, [&] {
     if (!fault.empty()) throw InputError(fault);
     whole = facts_of(source->frame().info);
-    ParticleSet few = digest.particles();
-    few.info = source->frame().info;
-    few.facts = source->frame().facts;
-    mine.scene = make_scene(of, few);
-    known.facts = few.facts;
-    Population::of(few).add_to(known);
+    mine.scene = scene.make(source->frame(), known);
   });
   const ParticleFileInfo info =
       info_with(gather_from(ranks, whole)[first_rank], source == nullptr ? ParticleFileInfo() : source->frame().info);
@@ -208,7 +244,8 @@ RankStart deal_out_in_ranges(const Case& of, ParticleSource* source, const std::
   mine.first_block = static_cast<std::int64_t>(own.front().first / sum_block);
   std::size_t own_size = 0;
   for (const auto& [from, to] : own) own_size += to - from;
-  all.each([&](const ParticleSet& range, std::uint64_t from) {
+  const auto give = [&](ParticleSet& range) { scene.give_elements(range); };
+  all.each(give, [&](const ParticleSet& range, std::uint64_t from) {
     std::vector<Bytes> messages(ranges.size());
     for (std::size_t rank = 0; rank < ranges.size() && ranks.rank() == first_rank; ++rank) {
       const ParticleSet part = part_of(ranges[rank], range, from);

@@ -108,11 +108,11 @@ void make_flow(const Case& from, const ParticleSet& particles, double sound_spee
 }
 
 template <int Dim>
-Scene<Dim> make(const Case& from, const ParticleSet& particles) {
+Scene<Dim> make(const Case& from, const ParticleSet& particles, const WaterBody* water) {
   Scene<Dim> s;
   const double sound_speed = from.numerics.sound_speed_factor * from.numerics.maximum_speed;
   make_flow(from, particles, sound_speed, s);
-  const SceneSource source{from, particles, sound_speed};
+  const SceneSource source{from, particles, sound_speed, water};
   AllModels::each([&]<class M>() {
     if constexpr (requires { M::template make<Dim>(source, s); }) M::template make<Dim>(source, s);
   });
@@ -121,13 +121,13 @@ Scene<Dim> make(const Case& from, const ParticleSet& particles) {
 
 }  // namespace
 
-AnyScene make_scene(const Case& from, const ParticleSet& particles) {
+AnyScene make_scene(const Case& from, const ParticleSet& particles, const WaterBody* water) {
   if (!(from.numerics.maximum_speed > 0)) {
     throw InputError(from.file.string() +
                      ": numerics.maximum_speed is not resolved; fill the scene again with gencase");
   }
-  if (from.info.dimension == 3) return make<3>(from, particles);
-  return make<2>(from, particles);
+  if (from.info.dimension == 3) return make<3>(from, particles, water);
+  return make<2>(from, particles, water);
 }
 
 }  // namespace thalweg

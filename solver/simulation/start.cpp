@@ -4,9 +4,7 @@
 #include <optional>
 #include <thread>
 
-#include "case/models/driven_flow.hpp"
 #include "case/models/surface_bed.hpp"
-#include "case/models/wall_friction.hpp"
 #include "common/installation.hpp"
 #include "solver/models/moving_walls/make_motions.hpp"
 #include "solver/models/openings/make_openings.hpp"
@@ -75,8 +73,7 @@ std::unique_ptr<Simulation> start_simulation(const Case& of, const StartSource& 
 }
 
 bool deals_in_ranges(const Case& of, const StartOptions& options) {
-  return is_shared(options) && !may_use_gpus(options) && !models::SurfaceBedOfCase::is_on(of) &&
-         !models::WallStress::is_on(of) && !models::DrivenFlow::is_on(of);
+  return is_shared(options) && !may_use_gpus(options) && !models::SurfaceBedOfCase::is_on(of);
 }
 
 double largest_wall_speed(const Case& of, const ParticleSet& particles) {

@@ -34,8 +34,8 @@ struct StartSource {
 /// place are refused here.
 std::unique_ptr<Simulation> start_simulation(const Case& of, const StartSource& source, const StartOptions& options);
 
-/// True if several ranks can start a case so that none holds all particles. A bed that is a surface, rough walls, a driven flow, and
-/// the estimate of the memory on GPUs need all of them.
+/// True if several ranks can start a case so that none holds all particles. A bed that is a surface and the estimate of the memory
+/// on GPUs need all of them.
 bool deals_in_ranges(const Case& of, const StartOptions& options);
 
 /// A simulation whose particles lie on several ranks: the first rank leads, and what it asks of its simulation the others

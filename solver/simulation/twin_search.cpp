@@ -1,12 +1,11 @@
 #include "solver/simulation/twin_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <limits>
 #include <tuple>
 
+#include "solver/simulation/particle_faults.hpp"
 #include "solver/simulation/particle_messages.hpp"
 
 namespace thalweg {
@@ -105,13 +104,10 @@ std::string TwinSearch::fault(const std::string& file) {
     if (found.has_id && (twin == nullptr || found.id < twin->id)) twin = &found;
     if (found.has_place && (place == nullptr || at(&found) < at(place))) place = &found;
   }
-  if (least < 0) return fmt::format("{}: a particle has the id {}; number from 0", file, least);
-  if (twin != nullptr) return fmt::format("{}: two particles have the id {}; give each its own", file, twin->id);
+  if (least < 0) return fault_of_negative_id(file, least);
+  if (twin != nullptr) return fault_of_two_with_an_id(file, twin->id);
   if (place == nullptr) return {};
-  return fmt::format(
-      "{}: particle {} at x = {:.4g} m, z = {:.4g} m: it lies in the place of particle {}; correct it, or fill the "
-      "scene with gencase",
-      file, place->placed.id, place->placed.at[0], place->placed.at[2], place->other);
+  return fault_of_two_in_a_place(file, place->placed.id, Vec3(place->placed.at), place->other);
 }
 
 }  // namespace thalweg

@@ -1,36 +1,20 @@
 #include <cmath>
-#include <set>
-#include <utility>
 
 #include "case/models/driven_flow.hpp"
 #include "physics/water/log_profile.hpp"
 #include "solver/models/all.hpp"
+#include "solver/models/current/water_body.hpp"
 #include "solver/models/make.hpp"
 
 namespace thalweg {
 
 namespace {
 
-/// The water of a filled scene.
-struct WaterBody {
-  double mass = 0;      // [kg]
-  double momentum = 0;  // along the flow [kg m/s]
-  double plan = 0;      // area of the columns of the lattice that hold water [m^(dim-1)]
-};
-
-WaterBody water_of(const SceneSource& from, int component) {
-  const ParticleSet& p = from.particles;
-  const double spacing = from.of.numerics.spacing;
-  WaterBody body;
-  std::set<std::pair<std::int64_t, std::int64_t>> columns;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.type[i] != ParticleType::water) continue;
-    body.mass += double(p.mass[i]);
-    if (!p.velocity.empty()) body.momentum += double(p.mass[i]) * double(p.velocity[i][component]);
-    columns.emplace(std::llround(std::floor(p.position[i].x() / spacing)),
-                    std::llround(std::floor(p.position[i].y() / spacing)));
-  }
-  body.plan = static_cast<double>(columns.size()) * std::pow(spacing, from.of.info.dimension - 1);
+/// The water of all particles of the source.
+WaterBody water_of(const SceneSource& from) {
+  if (from.water != nullptr) return *from.water;
+  WaterBody body(from.of);
+  body.add(from.particles);
   return body;
 }
 
@@ -57,12 +41,12 @@ void CurrentModel::make(const SceneSource& from, Scene<Dim>& scene) {
   CurrentDrive& current = scene.current;
   current.on = true;
   current.component = flow.component();
-  const WaterBody water = water_of(from, current.component);
-  const double depth = water.plan > 0 ? water.mass / (from.of.water.density * water.plan) : 0;
+  const WaterBody water = water_of(from);
+  const double depth = water.plan() > 0 ? water.mass() / (from.of.water.density * water.plan()) : 0;
   const double viscosity = from.of.water.viscosity / from.of.water.density;
   const double roughness = roughness_of_current(from.of);
   CurrentControl& start = current.start;
-  start.velocity = water.mass > 0 ? water.momentum / water.mass : 0;
+  start.velocity = water.mass() > 0 ? water.momentum() / water.mass() : 0;
   current.guide = guide_zone_of(from.of, viscosity, roughness);
   if (flow.drive == Drive::slope) {
     start.acceleration = from.of.domain.gravity.norm() * flow.slope;

@@ -33,13 +33,13 @@ ParticleSet state_behind_a_step(const Case& of, const ParticleSet& start, bool i
   return state;
 }
 
-TEST(DealInRanges, IsTheDealOfAllAtOnce) {
+/// A scene of several ranges is dealt out alike, as filled and as a checkpoint has it.
+void expect_same_deal(const char* name, const std::vector<std::string>& overrides) {
   CaseRun run("dealt_in_ranges");
-  run.fill("louvain", {"numerics.spacing=1.4 mm"});
+  run.fill(name, overrides);
   const Case of = run.scene();
   ParticleSet start = run.start();
   ASSERT_GT(start.size(), 4 * particles_at_once) << "too few particles for several ranges";
-  // As filled, and as a checkpoint has them.
   for (int n = 0; n < 2; ++n) {
     std::uint64_t largest = 0;
     ParticleSet at_once = state_behind_a_step(of, start, false, largest);
@@ -48,6 +48,17 @@ TEST(DealInRanges, IsTheDealOfAllAtOnce) {
     at_once.info = start.info;
     start = std::move(at_once);
   }
+}
+
+TEST(DealInRanges, IsTheDealOfAllAtOnce) { expect_same_deal("louvain", {"numerics.spacing=1.4 mm"}); }
+
+// The mass and the plan of the water, and the surfaces of the walls, are those of the whole scene.
+TEST(DealInRanges, KnowsTheWaterOfADrivenFlowAndTheSurfacesOfItsWalls) {
+  expect_same_deal("channel", {"numerics.spacing=0.25 mm"});
+}
+
+TEST(DealInRanges, KnowsTheSurfacesOfWallsThatMove) {
+  expect_same_deal("gate", {"numerics.spacing=1 mm", "model.wall_friction=smooth"});
 }
 
 /// The fault that three ranks find in particles which come in ranges of seven.
