@@ -1,6 +1,5 @@
 #include "solver/program/join_ranks.hpp"
 
-#include <dlfcn.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,6 +10,7 @@
 
 #include "common/error.hpp"
 #include "common/installation.hpp"
+#include "common/loaded_module.hpp"
 #include "common/process.hpp"
 
 namespace thalweg {
@@ -47,10 +47,8 @@ std::unique_ptr<Ranks> join_ranks() {
   const auto file = find_module(ranks_module);
   if (file.empty()) throw RunError(std::string("this build of Thalweg has no MPI; ") + way_to_mpi);
   // Global: OpenMPI loads components of its own, which look for its symbols.
-  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (module == nullptr) throw RunError(std::string("cannot load MPI: ") + dlerror() + "; " + way_to_mpi);
-  const auto join = reinterpret_cast<Ranks* (*)()>(dlsym(module, "thalweg_join_ranks"));
-  std::unique_ptr<Ranks> ranks(join());
+  const LoadedModule module(file, "MPI", way_to_mpi, RTLD_GLOBAL);
+  std::unique_ptr<Ranks> ranks(module.function<Ranks* (*)()>("thalweg_join_ranks")());
   return ranks->size() > 1 ? std::move(ranks) : nullptr;
 }
 

@@ -1,4 +1,3 @@
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -10,7 +9,9 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/first_problem.hpp"
 #include "common/installation.hpp"
+#include "common/loaded_module.hpp"
 #include "solver/simulation/gpu_memory.hpp"
 #include "solver/simulation/input.hpp"
 
@@ -42,37 +43,25 @@ const std::array<Core, 3> openmp_cores = {{
     {"baseline", [] { return true; }},
 }};
 
-/// A core module, loaded to the end of the process.
-class Module {
- public:
-  explicit Module(const std::string& name) {
-    // Read when the OpenMP library is loaded, which the core does. Threads that spin while they wait for one another
-    // are ten times slower on a busy machine (16.8 s against 1.4 s measured, two threads on two loaded cores); some
-    // thousand turns before they sleep make Louvain with 62 500 particles a fifth faster on an idle one
-    // (bench/records). The user's own settings are kept.
-    if (getenv("OMP_WAIT_POLICY") == nullptr) setenv("GOMP_SPINCOUNT", "5000", 0);
-    setenv("OMP_WAIT_POLICY", "passive", 0);
-    const auto file = find_core(name);
-    if (file.empty()) fail(name, "not found beside the program");
-    handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (handle_ == nullptr) fail(name, dlerror());
-  }
+/// Read when the OpenMP library is loaded, which a core does. Threads that spin while they wait for one another
+/// are ten times slower on a busy machine (16.8 s against 1.4 s measured, two threads on two loaded cores); some
+/// thousand turns before they sleep make Louvain with 62 500 particles a fifth faster on an idle one
+/// (bench/records). The user's own settings are kept.
+void let_threads_sleep() {
+  if (getenv("OMP_WAIT_POLICY") == nullptr) setenv("GOMP_SPINCOUNT", "5000", 0);
+  setenv("OMP_WAIT_POLICY", "passive", 0);
+}
 
-  template <class Function>
-  Function function(const char* symbol) const {
-    // Data pointer to function pointer: the conversion dlsym is made for.
-    return reinterpret_cast<Function>(dlsym(handle_, symbol));
-  }
+/// A core module.
+class CoreModule : public LoadedModule {
+ public:
+  explicit CoreModule(const std::string& name)
+      : LoadedModule((let_threads_sleep(), find_core(name)), "thalweg_core_" + name + ".so",
+                     "build or install Thalweg again") {}
 
   [[nodiscard]] std::unique_ptr<Simulation> make(const SimulationInput& input) const {
     return std::unique_ptr<Simulation>(function<Maker>("thalweg_make_simulation")(&input));
   }
-
- private:
-  [[noreturn]] static void fail(const std::string& name, const std::string& problem) {
-    throw RunError("cannot load thalweg_core_" + name + ".so: " + problem + "; build or install Thalweg again");
-  }
-  void* handle_ = nullptr;
 };
 
 /// Of the GPU of this process, or of each rank's.
@@ -92,7 +81,7 @@ bool stores_coefficients(const GpuMemory& memory, double available) {
 }
 
 /// On the GPU with the core that was loaded for it.
-std::unique_ptr<Simulation> make_with(const Module& core, const SimulationInput& input) {
+std::unique_ptr<Simulation> make_with(const CoreModule& core, const SimulationInput& input) {
   const double available = core.function<DeviceMemory>("thalweg_device_memory")();
   const GpuMemory memory = memory_of(input);
   require_gpu_memory(input.scene, memory, available);
@@ -107,7 +96,7 @@ constexpr const char* no_cuda_core =
 
 /// A rank's GPU, before anything is made on it.
 struct GpuOfRank {
-  std::optional<Module> core;
+  std::optional<CoreModule> core;
   bool is_found = false;  // whether it has memory enough or not
   bool has_room = false;  // for the viscous pair coefficients
   std::string problem;    // why it cannot be used
@@ -141,20 +130,13 @@ GpuOfRank find_gpu_of_rank(const SimulationInput& input) {
 std::unique_ptr<Simulation> make_on_gpus(const SimulationInput& input, bool insist) {
   Ranks& ranks = *input.ranks;
   const GpuOfRank gpu = find_gpu_of_rank(input);
-  Bytes mine;
-  append_to(mine, gpu.problem.data(), gpu.problem.size());
-  const auto n = static_cast<std::size_t>(ranks.size());
-  const std::vector<Bytes> problems = exchange_any(ranks, std::vector<Bytes>(n, mine));
-  const auto first = std::find_if(problems.begin(), problems.end(), [](const Bytes& p) { return !p.empty(); });
-  if (first != problems.end()) {
-    std::string problem(first->size(), ' ');
-    MessageReader(*first).read(problem.data(), problem.size());
-    if (insist) throw InputError(fmt::format("rank {}: {}", first - problems.begin(), problem));
+  const RankProblem first = first_problem(ranks, gpu.problem);
+  if (!first.text.empty()) {
+    if (insist) throw InputError(fmt::format("rank {}: {}", first.rank, first.text));
     std::uint8_t any_is_found = gpu.is_found ? 1 : 0;
     ranks.largest(&any_is_found, 1);
     if (any_is_found != 0) {
-      spdlog::warn("computing on CPU cores, because the GPU of rank {} cannot be used: {}", first - problems.begin(),
-                   problem);
+      spdlog::warn("computing on CPU cores, because the GPU of rank {} cannot be used: {}", first.rank, first.text);
     }
     return nullptr;
   }
@@ -173,14 +155,14 @@ std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insis
     throw InputError(no_cuda_core);
   }
   if (insist) {
-    const Module core("cuda");
+    const CoreModule core("cuda");
     const std::string problem = core.function<DeviceProblem>("thalweg_device_problem")();
     if (!problem.empty()) throw InputError("--backend cuda: " + problem);
     return make_with(core, input);
   }
   // Nobody insists: whatever is wrong with the GPU, CPU cores do.
   try {
-    const Module core("cuda");
+    const CoreModule core("cuda");
     if (*core.function<DeviceProblem>("thalweg_device_problem")() != '\0') return nullptr;
     return make_with(core, input);
   } catch (const std::runtime_error& e) {
@@ -220,7 +202,7 @@ std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, std::str
   if (input.ranks != nullptr) instruction_set = common_instruction_set(input, instruction_set);
   for (const Core& core : openmp_cores) {
     const bool is_asked = instruction_set == "auto" || instruction_set == core.instruction_set;
-    if (is_asked && is_usable(core, input)) return Module(name_of(core, input)).make(input);
+    if (is_asked && is_usable(core, input)) return CoreModule(name_of(core, input)).make(input);
     if (instruction_set == core.instruction_set && core.runs_here()) {
       throw InputError("--isa " + instruction_set + ": thalweg_core_" + name_of(core, input) +
                        ".so is not here; leave --isa away to use the best core that is, or build it "
@@ -228,7 +210,7 @@ std::unique_ptr<Simulation> make_on_cores(const SimulationInput& input, std::str
     }
   }
   if (instruction_set == "auto")
-    return Module(name_of(openmp_cores.back(), input)).make(input);  // says what is missing
+    return CoreModule(name_of(openmp_cores.back(), input)).make(input);  // says what is missing
   throw InputError("--isa " + instruction_set +
                    ": this processor does not have it; leave --isa away to use the best it has, or name one of avx512, "
                    "avx2, baseline");
