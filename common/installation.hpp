@@ -23,6 +23,9 @@ std::filesystem::path find_module(const std::string& file);
 /// The module that joins the ranks of a run; builds without MPI have none.
 constexpr const char* ranks_module = "thalweg_ranks_mpi.so";
 
+/// The module that links the GPUs of ranks; builds without NCCL have none.
+constexpr const char* nccl_module = "thalweg_link_nccl.so";
+
 /// The names of all core modules that are installed, sorted: "cuda", "openmp_avx2", "openmp_avx2_double" …
 std::vector<std::string> installed_cores();
 

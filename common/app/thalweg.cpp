@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   std::string backend;
   std::string threads;
   std::string ranks;
+  std::string device_messages;
   bool no_foam = false;
   app.add_option("CASE", options.case_path, "Folder with case.toml, or the file")->required();
   app.add_option("--out", options.out, "Folder of the run; default: out/<case name>");
@@ -39,6 +40,8 @@ int run(int argc, char** argv) {
       ->type_name("auto|cuda|openmp");
   app.add_option("--threads", threads, "CPU threads of the solver; default: all cores");
   app.add_option("--ranks", ranks, "Processes of the solver, each with its share of the particles (docs/ranks.md)");
+  app.add_option("--device-messages", device_messages, "Messages between the GPUs of ranks (docs/ranks.md)")
+      ->type_name("auto|host|mpi|nccl");
   app.add_flag("--no-foam", no_foam, "Without the mesh model");
   auto* resume = app.add_flag("--resume", options.resume, "Goes on with the run that the folder holds");
   app.add_flag("--force", options.force, "Replaces the run that the folder holds")->excludes(resume);
@@ -46,6 +49,9 @@ int run(int argc, char** argv) {
   if (!backend.empty()) options.for_solver.insert(options.for_solver.end(), {"--backend", backend});
   if (!threads.empty()) options.for_solver.insert(options.for_solver.end(), {"--threads", threads});
   if (!ranks.empty()) options.for_solver.insert(options.for_solver.end(), {"--ranks", ranks});
+  if (!device_messages.empty()) {
+    options.for_solver.insert(options.for_solver.end(), {"--device-messages", device_messages});
+  }
   options.foam = !no_foam;
   return run_pipeline(options);
 }

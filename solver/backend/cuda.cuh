@@ -116,6 +116,7 @@ __global__ void __launch_bounds__(256)
 /// copying of snapshots; memory comes from the device's pool, which keeps what it was given back, if it has one.
 struct CudaRuntime {
   static cudaStream_t stream() { return memory().stream; }
+  static void* queue() { return stream(); }
 
   static void* allocate(std::size_t bytes) {
     void* p = nullptr;

@@ -29,6 +29,7 @@
 //   scan, select, sort                    the same without a flag
 //   Recording: record(what), replay()     launches kept and asked for again as one
 //   wait, atomic_add
+//   queue                                 the order of the device's work, for a link that has to keep it (DeviceLink)
 namespace thalweg {
 
 /// A GPU; the verbs are those of OpenMp (solver/backend/openmp.hpp), which says what each does.
@@ -83,6 +84,7 @@ class Gpu {
   }
 
   static void finish() { Runtime::wait(); }
+  static void* queue() { return Runtime::queue(); }
 
   class AsyncDownload {
    public:

@@ -31,15 +31,16 @@ class Share final : public SharedScene, public StaleFields {
     incoming_.resize(n);
   }
 
-  /// Messages lie in the devices' memory where they arrive there, else where the host reaches them.
-  void choose_messages(Device& on) {
+  /// Chooses the way of the messages between devices, before the first. Throws InputError on all ranks if the one that is
+  /// wished for does not work.
+  void choose_messages(Device& on, const MessageWish& wish) {
     if constexpr (!Device::is_host) {
-      on_devices_ = messages_go_between_devices(on, ranks);
-      for (auto& message : outgoing_) message = typename Device::Message(on_devices_);
-      for (auto& message : incoming_) message = typename Device::Message(on_devices_);
+      messages_.choose(on, ranks, wish);
+      for (auto& message : outgoing_) message = typename Device::Message(messages_.lie_on_devices());
+      for (auto& message : incoming_) message = typename Device::Message(messages_.lie_on_devices());
     }
   }
-  [[nodiscard]] bool sends_from_devices() const { return on_devices_; }
+  [[nodiscard]] const char* way_of_messages() const { return messages_.way(); }
 
   void set_beside(FieldsBeside where) { beside_ = std::move(where); }
 
@@ -127,14 +128,14 @@ class Share final : public SharedScene, public StaleFields {
   }
 
   void arrive() override {
-    count_waiting([&] { ranks.finish_exchange(); });
+    count_waiting([&] { messages_.finish(ranks); });
     unheard([&] {
       for (std::size_t r = 0; r < copy_.size(); ++r) {
         if (copy_[r].size() > 0) unpack(*on_, *p_, *scene_, on_their_way_, incoming_[r].data(), copy_[r], beside_);
       }
     });
   }
-  void progress() override { ranks.progress(); }
+  void progress() override { messages_.progress(ranks); }
 
   void merge(const DriftBlocks& blocks, DriftBox* of_block) override { blocks_.merge(ranks, blocks, of_block); }
 
@@ -161,8 +162,7 @@ class Share final : public SharedScene, public StaleFields {
         from[r] = {incoming_[r].data(), incoming_[r].size()};
       }
     });
-    on_->finish();  // the ranks may take the messages, and write over those that came before
-    count_waiting([&] { ranks.start_exchange(to, from); });
+    count_waiting([&] { messages_.start(*on_, ranks, to, from); });
   }
 
  private:
@@ -212,7 +212,7 @@ class Share final : public SharedScene, public StaleFields {
   std::vector<typename Device::Message> incoming_;
   std::vector<const Field*> on_their_way_;  // the fields of the messages between start() and arrive()
   neighbours::BlockExchange<Dim> blocks_;
-  bool on_devices_ = false;
+  CopyMessages<Device> messages_;  // ends before the bytes that it sends
   FieldsBeside beside_;
   Pace pace_;
   double waited_before_;

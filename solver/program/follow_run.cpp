@@ -12,7 +12,8 @@
 namespace thalweg {
 
 StartOptions start_options(const RunOptions& options) {
-  return {options.backend, options.instruction_set, options.threads, options.profile, options.ranks};
+  return {options.backend, options.instruction_set, options.threads,
+          options.profile, options.ranks,           options.device_messages};
 }
 
 void Invitation::send(bool begins) {

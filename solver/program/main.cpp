@@ -51,6 +51,10 @@ int solver(int argc, char** argv) {
          "Compute on so many processes, which mpirun starts; each has its share of the particles (docs/ranks.md)")
       ->check(CLI::Range(1, 65536))
       ->type_name("N");
+  app.add_option("--device-messages", options.device_messages,
+                 "Messages between the GPUs of ranks: auto takes mpi where that works, else host (docs/ranks.md)")
+      ->type_name("auto|host|mpi|nccl")
+      ->capture_default_str();
   app.add_option("--restart", options.restart,
                  "Continue from this checkpoint; latest: from the run's last whole one, or its start if it has none");
   app.add_option("--restart-anyway", options.restart_anyway,

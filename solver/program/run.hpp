@@ -15,6 +15,7 @@ struct RunOptions {
   std::filesystem::path folder;
   std::string backend = "auto";
   std::string instruction_set = "auto";
+  std::string device_messages = "auto";
   int threads = 0;                // 0: all cores
   bool profile = false;           // wait for the device after every heading of the timing
   std::int64_t benchmark = 0;     // so many steps, of which only summary and timing are written; 0: the run

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/ranks.hpp"
+#include "solver/backend/device_link.hpp"
 #include "solver/models/all.hpp"
 #include "solver/simulation/simulation.hpp"
 
@@ -38,6 +39,7 @@ struct SimulationInput {
   bool stores_coefficients = false;              // on a GPU: keep the viscous pair coefficients (Gpu)
   std::int64_t first_block = 0;                  // of sums, in which a rank's share begins (deal.hpp)
   std::optional<GpuMemory> gpu_memory = {};      // of a rank's GPU; nothing: estimated from `particles`
+  MessageWish messages = {};                     // between the GPUs of ranks
 };
 
 /// Makes a simulation on the device `backend` names, "cuda" or "openmp", or with "auto" on a GPU if there is one that can

@@ -14,6 +14,7 @@
 #include "common/loaded_module.hpp"
 #include "solver/simulation/gpu_memory.hpp"
 #include "solver/simulation/input.hpp"
+#include "solver/simulation/message_way.hpp"
 
 namespace thalweg {
 namespace {
@@ -144,6 +145,7 @@ std::unique_ptr<Simulation> make_on_gpus(const SimulationInput& input, bool insi
   ranks.largest(&lacks_room, 1);
   SimulationInput on_gpu = input;
   on_gpu.stores_coefficients = lacks_room == 0;
+  if (ranks.size() > 1 && input.messages.way == MessageWay::nccl) on_gpu.messages.links = &load_nccl(ranks);
   return gpu.core->make(on_gpu);
 }
 
@@ -232,7 +234,9 @@ std::unique_ptr<Simulation> make_simulation(const SimulationInput& input, const 
   const bool may_use_gpu =
       backend == "cuda" || (backend == "auto" && instruction_set == "auto" && !input.double_pair_sums);
   auto on_gpu = may_use_gpu ? make_on_gpu(input, backend == "cuda") : nullptr;
-  return on_gpu != nullptr ? std::move(on_gpu) : make_on_cores(input, instruction_set);
+  if (on_gpu != nullptr) return on_gpu;
+  if (input.ranks != nullptr && input.ranks->size() > 1) require_no_gpus(input.messages.way);
+  return make_on_cores(input, instruction_set);
 }
 
 }  // namespace thalweg

@@ -35,7 +35,7 @@ class SimulationOn final : public Simulation, public OwnRanges {
                bool profile = false, const std::vector<WallMotion>& motions = {},
                const std::shared_ptr<Openings>& openings = nullptr,
                const std::shared_ptr<SurfaceBed>& surface_bed = nullptr, Ranks* ranks = nullptr,
-               std::int64_t first_block = 0);
+               std::int64_t first_block = 0, const MessageWish& messages = {});
 
   void set_time(double time) override { work_.time = time; }
   StepReport advance(double longest) override;
@@ -86,11 +86,11 @@ SimulationOn<Dim, OnDevice>::SimulationOn(OnDevice device, std::string name, con
                                           const ParticleSet& from, bool profile, const std::vector<WallMotion>& motions,
                                           const std::shared_ptr<Openings>& openings,
                                           const std::shared_ptr<SurfaceBed>& surface_bed, Ranks* ranks,
-                                          std::int64_t first_block)
+                                          std::int64_t first_block, const MessageWish& messages)
     : on_(std::move(device)), name_(std::move(name)), scene_(scene) {
   if (ranks != nullptr) share_ = std::make_unique<Share<Dim, OnDevice>>(*ranks);
   on_.shared = share_.get();
-  if (share_ != nullptr) share_->choose_messages(on_);
+  if (share_ != nullptr) share_->choose_messages(on_, messages);
   if (profile) timing_.wait_with([this] { on_.finish(); });
   if (share_ != nullptr) share_->first_block = first_block;
   load_particles(on_, p_, scene_, from);
@@ -167,9 +167,7 @@ SimulationFacts SimulationOn<Dim, OnDevice>::facts() {
   f.list_entries_per_particle = double(p_.list_entries.size()) / n;
   f.bytes_per_particle = double(bytes_of(p_, scene_, work_)) / n;
   if (share_ != nullptr) {
-    if (!OnDevice::is_host && share_->ranks.size() > 1) {
-      f.device += share_->sends_from_devices() ? ", messages from its memory" : ", messages by way of the host";
-    }
+    if (!OnDevice::is_host && share_->ranks.size() > 1) f.device += std::string(", ") + share_->way_of_messages();
     f.copies_per_particle = double(share_->copies()) / n;
     f.imbalance = share_->imbalance();
     f.waited = share_->waited();

@@ -11,6 +11,7 @@
 #include "solver/models/surface_bed/make_surface_bed.hpp"
 #include "solver/simulation/deal_out.hpp"
 #include "solver/simulation/make_scene.hpp"
+#include "solver/simulation/message_way.hpp"
 
 namespace thalweg {
 
@@ -26,6 +27,7 @@ std::unique_ptr<Simulation> start_with(const Case& of, SimulationInput& input, c
   input.threads = options.threads;
   input.profile = options.profile;
   input.ranks = options.ranks;
+  input.messages.way = message_way(options.device_messages);
   input.motions = make_motions(of);
   input.openings = make_openings(of, lattice_node);
   input.double_pair_sums = of.numerics.precision == Precision::double_sums;

@@ -17,6 +17,7 @@ struct StartOptions {
   int threads = 0;                       // 0: as many as the machine has cores
   bool profile = false;                  // wait for the device after every heading of the timing
   Ranks* ranks = nullptr;                // that compute the scene together, each calling this; nullptr: one
+  std::string device_messages = "auto";  // between GPUs of ranks: "host", "mpi", "nccl" or "auto" (message_way.hpp)
 };
 
 /// Starts a case from the particles of gencase, or goes on from those of a checkpoint. On several ranks the first one has

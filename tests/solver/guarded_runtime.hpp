@@ -150,6 +150,11 @@ struct GuardedRuntime {
     return n;
   }
   static void wait() {}
+  /// A link between stand-ins needs their copying alone (thread_link.hpp).
+  static void* queue() {
+    static void (*copy)(void*, const void*, std::size_t) = copy_on_device;
+    return &copy;
+  }
 
   /// Narrower access to some memory while the device works (PROT_NONE, PROT_READ): for tests of what bodies touch.
   static std::map<const void*, int>& limits() {

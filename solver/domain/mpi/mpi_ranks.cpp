@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <string_view>
 #include <thread>
 
 #include "common/ranks.hpp"
@@ -88,8 +87,7 @@ class MpiRanks final : public Ranks {
 
   [[nodiscard]] bool takes_device_memory() const override {
 #if defined(MPIX_CUDA_AWARE_SUPPORT)
-    const char* wish = std::getenv("THALWEG_DEVICE_MESSAGES");
-    return (wish == nullptr || std::string_view(wish) != "off") && MPIX_Query_cuda_support() == 1;
+    return MPIX_Query_cuda_support() == 1;
 #else
     return false;
 #endif

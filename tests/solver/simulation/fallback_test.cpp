@@ -80,6 +80,41 @@ TEST_F(Fallback, OfAllRanksGoesTheSameWay) {
   EXPECT_NE(said_.str().find("the GPU of rank 1 cannot be used"), std::string::npos) << said_.str();
 }
 
+/// Errors of make_simulation on two ranks.
+std::vector<std::string> refusals(const SimulationInput& input, const std::string& backend) {
+  std::vector<std::string> said(2);
+  test::ThreadRanks(2).run([&](Ranks& mine) {
+    SimulationInput of_rank = input;
+    of_rank.ranks = &mine;
+    try {
+      make_simulation(of_rank, backend, "auto");
+    } catch (const InputError& e) {
+      said[static_cast<std::size_t>(mine.rank())] = e.what();
+    }
+  });
+  return said;
+}
+
+// Beside this test lies a module of NCCL's name that is none.
+TEST_F(Fallback, SaysOnAllRanksWhyNcclCannotBeLoaded) {
+  for (const std::string& said :
+       refusals({.scene = scene_, .particles = &particles_, .threads = 1, .messages = {MessageWay::nccl}}, "auto")) {
+    EXPECT_EQ(said.rfind("--device-messages nccl: rank 0: cannot load NCCL: ", 0), 0U) << said;
+    EXPECT_NE(said.find("; install NVIDIA's NCCL"), std::string::npos) << said;
+  }
+}
+
+TEST_F(Fallback, RefusesMessagesBetweenGpusWhereRanksHaveNone) {
+  setenv("FAKE_GPU_PROBLEM", "no NVIDIA GPU is visible", 1);
+  for (const auto& [way, word] : {std::pair{MessageWay::mpi, "mpi"}, std::pair{MessageWay::nccl, "nccl"}}) {
+    for (const std::string& said :
+         refusals({.scene = scene_, .particles = &particles_, .threads = 1, .messages = {way}}, "auto")) {
+      EXPECT_EQ(said.rfind(std::string("--device-messages ") + word + ": the ranks compute on CPU cores; ", 0), 0U)
+          << said;
+    }
+  }
+}
+
 TEST_F(Fallback, OfRanksIsSilentWhereNoneHasAGpu) {
   setenv("FAKE_GPU_PROBLEM", "no NVIDIA GPU is visible", 1);
   test::ThreadRanks(2).run([&](Ranks& mine) {

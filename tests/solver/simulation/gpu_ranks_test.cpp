@@ -24,6 +24,20 @@ TEST_P(SceneOnGpus, IsTheSameBitForBit) {
   }
 }
 
+// GPUs that are linked send each other the copies in the order of their work, and no host waits for them.
+TEST_P(SceneOnGpus, IsTheSameOverALinkBitForBit) {
+  CaseRun run("linked_gpus");
+  run.fill(GetParam().scene, GetParam().overrides);
+  const Outcome one = run_on(1, "cuda", run.scene(), run.start(), GetParam().steps);
+  for (const int ranks : {2, 3}) {
+    SCOPED_TRACE(std::to_string(ranks) + " ranks");
+    const Outcome several = run_on(ranks, "cuda", run.scene(), run.start(), GetParam().steps, "nccl");
+    EXPECT_EQ(several.facts.device, std::to_string(ranks) + " ranks of guarded, messages by NCCL");
+    expect_same(one, several);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
 // A GPU by itself adds up in an order of its own.
 TEST_P(SceneOnGpus, DiffersFromOneByItselfByRoundingAlone) {
   CaseRun run("gpus_alone");

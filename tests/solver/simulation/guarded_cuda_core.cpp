@@ -11,7 +11,7 @@ thalweg::Simulation* make(const thalweg::Scene<Dim>& scene, const thalweg::Simul
   using thalweg::test::Guarded;
   return new thalweg::SimulationOn<Dim, Guarded>(Guarded(input.stores_coefficients), "guarded", scene, *input.particles,
                                                  input.profile, input.motions, input.openings, input.surface_bed,
-                                                 input.ranks, input.first_block);
+                                                 input.ranks, input.first_block, input.messages);
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ class SetSource final : public ParticleSource {
   ParticleSet frame_;
 };
 
-inline Outcome run_on(int ranks, const std::string& backend, const Case& of, const ParticleSet& start, int steps) {
+inline Outcome run_on(int ranks, const std::string& backend, const Case& of, const ParticleSet& start, int steps,
+                      const std::string& device_messages = "auto") {
   if (ranks == 1) {
     OneRank mine;
     StartOptions options{backend, "auto", 1};
@@ -89,6 +90,7 @@ inline Outcome run_on(int ranks, const std::string& backend, const Case& of, con
   ThreadRanks(ranks).run([&](Ranks& mine) {
     StartOptions shared{backend, "auto", 1};
     shared.ranks = &mine;
+    shared.device_messages = device_messages;
     const ParticleSet nothing;  // the first rank alone reads the file
     SetSource source(start);
     const bool is_first = mine.rank() == 0;
