@@ -21,7 +21,7 @@ NVIDIA_SMI = """#!/bin/sh
 case "$*" in
   *query-compute-apps*) cat "$FAKE/others" 2>/dev/null ;;
   *utilization*) cat "$FAKE/used" 2>/dev/null || echo 0 ;;
-  *name,driver*) echo "NVIDIA Made-up 9000, 999.1, 80000" ;;
+  *name,driver*) cat "$FAKE/gpus" 2>/dev/null || echo "NVIDIA Made-up 9000, 999.1, 80000" ;;
 esac
 """
 TEST_PROGRAM = """#!/bin/sh
@@ -141,6 +141,23 @@ class GpuCheck(unittest.TestCase):
         row = self.rows()["ranks: surface bed"]
         self.assertFalse(row["passed"])
         self.assertEqual(row["why"], "ranks_surface_bed_2 differs from one rank in history.csv")
+
+    def test_sends_by_nccl_where_there_are_two_gpus(self):
+        row = "NCCL: three states in space"
+        self.check("--only", "tests")
+        self.assertEqual(self.rows()[row]["why"], "needs two GPUs; skipped")
+        self.say("gpus", 2 * "NVIDIA Made-up 9000, 999.1, 80000\n")
+        self.check("--only", "tests", "--anew")
+        self.assertEqual(self.rows()[row]["why"], "the bundle was built without NCCL; skipped")
+        self.assertFalse(any("nccl" in line for line in self.asked()))
+        self.script(self.bundle / "bin" / "thalweg_link_nccl.so", "")
+        self.check("--only", "tests", "--anew")
+        self.assertTrue(self.rows()[row]["passed"])
+        self.assertEqual(self.rows()[row]["why"], "")
+        self.assertTrue(any("--ranks 2 --device-messages nccl" in line for line in self.asked()))
+        self.say("ranks_differ")
+        self.check("--only", "tests", "--anew")
+        self.assertEqual(self.rows()[row]["why"], "nccl_three_states_in_space_2 differs from one rank in history.csv")
 
     def test_notes_every_row_at_once_and_goes_on_where_it_ended(self):
         done = self.check("--only", "tests", "--budget", "130")

@@ -30,6 +30,11 @@ def facts(bundle):
             "code": text_of([bundle / "bin" / "thalweg-solver", "--version"]).partition("\n")[0]}
 
 
+def gpus():
+    """How many there are."""
+    return len(query("name,driver_version").splitlines())
+
+
 def busy():
     """Why figures of this GPU would mean nothing now; an empty text if it is idle."""
     others = [line for line in query("pid,process_name,used_memory", "compute-apps").splitlines() if line.strip()]

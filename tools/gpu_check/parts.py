@@ -29,8 +29,9 @@ MODELS = [
     ("grains through openings", "models/openings-grains.toml", (), "5 ms"),
 ]
 
-# Of these, the ones that are run on several ranks too, which share the GPU.
+# Of these, the ones that are run on several ranks too, which share the GPU, and those on two ranks with a GPU each.
 ON_RANKS = ("water in space", "three states in space", "surface bed")
+BY_NCCL = ("three states in space",)
 
 # Developed flows: (name, case, settings, time from which steps are counted, steps, quick).
 BENCHES = [
@@ -76,6 +77,9 @@ def rows(bundle, out):
         if model[0] in ON_RANKS:
             made.append(Row("tests", f"ranks: {model[0]}", 60,
                             lambda budget, model=model: run_ranks(programs, budget, *model)))
+        if model[0] in BY_NCCL:
+            made.append(Row("tests", f"NCCL: {model[0]}", 60,
+                            lambda budget, model=model: run_nccl(programs, budget, *model)))
     for check in ("memcheck", "initcheck", "racecheck"):
         for name, case, settings, until in (
                 ("dam break", "cases/dam_break", ('numerics.spacing="2 cm"',), "10 ms"),
@@ -145,16 +149,30 @@ def run_model(programs, budget, model, case, settings, until):
 
 def run_ranks(programs, budget, model, case, settings, until):
     """The same run on one, two and three ranks."""
-    name = f"ranks {model}"
+    return compare_ranks(programs, budget, f"ranks {model}", case, settings, until, (1, 2, 3))
+
+
+def run_nccl(programs, budget, model, case, settings, until):
+    """The same run on one rank, and on two that send to each other by NCCL."""
+    if machine.gpus() < 2:
+        return outcome(True, 0, "needs two GPUs; skipped")
+    if not (programs.bundle / "bin" / "thalweg_link_nccl.so").exists():
+        return outcome(True, 0, "the bundle was built without NCCL; skipped")
+    return compare_ranks(programs, budget, f"nccl {model}", case, settings, until, (1, 2), "--device-messages", "nccl")
+
+
+def compare_ranks(programs, budget, name, case, settings, until, numbers, *options):
+    """The same run on so many ranks each time."""
     if shutil.which("mpirun") is None:
         return outcome(True, 0, "mpirun is not on this machine; skipped")
     seconds = 0
     found = []
-    for ranks in (1, 2, 3):
+    for ranks in numbers:
         folder = programs.fill(f"{name} {ranks}", case, (*settings, *NO_COMPARE), budget.left())
         if folder is None:
             return outcome(False, seconds, "the scene was not filled: " + programs.last_lines(f"{name} {ranks}-fill"))
-        status, took = programs.solve(f"{name} {ranks}", folder, min(120, budget.left()), "--until", until, "--ranks", str(ranks))
+        status, took = programs.solve(f"{name} {ranks}", folder, min(120, budget.left()), "--until", until, "--ranks", str(ranks),
+                                      *options)
         seconds += took
         said = programs.last_lines(f"{name} {ranks}")
         if status != 0 and " MPI" in said:
