@@ -117,6 +117,11 @@ class Ranks(unittest.TestCase):
         errors = [line for line in said.splitlines() if line.startswith("error: ")]
         self.assertEqual(len(errors), 1, said)
         self.assertIn("rank 0: --backend cuda: ", errors[0])
+        for way, why in (("nccl", "the ranks compute on CPU cores"), ("pigeon", "no such way")):
+            said = self.ends(self.solver("--ranks", 2, "--device-messages", way), 2)
+            errors = [line for line in said.splitlines() if line.startswith("error: ")]
+            self.assertEqual(len(errors), 1, said)
+            self.assertIn(f"--device-messages {way}: {why}", errors[0])
         said = self.ends(self.solver("--ranks", 2, "--restart", "nowhere.vtp"), 2)
         self.assertEqual(sum(line.startswith("error: ") for line in said.splitlines()), 1, said)
 
