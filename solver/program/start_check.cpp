@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "common/error.hpp"
+#include "common/particle_faults.hpp"
 #include "common/units.hpp"
-#include "solver/simulation/particle_faults.hpp"
 #include "solver/simulation/start.hpp"
 
 namespace thalweg {
@@ -107,8 +107,8 @@ class Checker {
       const ParticleType other = p_.type[order[i - 1]];
       if (!is_fluid(type) && !is_fluid(other)) continue;
       if (mixed && type != other) continue;
-      throw InputError(fault_of_two_in_a_place(file_.string(), p_.id[order[i]], p_.position[order[i]],
-                                               p_.id[order[i - 1]]));
+      throw InputError(
+          fault_of_two_in_a_place(file_.string(), p_.id[order[i]], p_.position[order[i]], p_.id[order[i - 1]]));
     }
   }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "solver/simulation/particle_faults.hpp"
+#include "common/particle_faults.hpp"
 #include "solver/simulation/particle_messages.hpp"
 
 namespace thalweg {

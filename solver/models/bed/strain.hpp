@@ -44,7 +44,9 @@ struct ContinuityAndStrainSweep {
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     const L weight = b.volume * g.F;
-    sum.diffusion += pair_diffusion(a, b, g, weight, same_phase(a, b), continuity.scene);
+    // The pressure of sediment at rest follows its neighbours', as a wall's does: towards it density does not diffuse.
+    const L diffusing = lane_select(is_resting(b), L(0.0F), weight);
+    sum.diffusion += pair_diffusion(a, b, g, diffusing, same_phase(a, b), continuity.scene);
     const Vec<Dim, L> u = b.velocity - a.velocity;
     const auto b_water = is_water(b);
     // In the water's gradient, which only the switch of the artificial viscosity reads, water counts.

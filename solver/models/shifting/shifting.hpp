@@ -20,6 +20,10 @@
 //           tension, p_a + p_b < 0; else 0. It acts between nearest neighbours, and mends a lattice that tension tears.
 //           Between pairs under weight it would push a sheared layer off its bed, by 3 % of the depth in five seconds.
 //           Beside a wall it is 0: the wall's particles do not give way
+// Water that has sediment in reach is shifted along the bed only, across sum V grad W over the sediment. Densities do not
+// see shifts. So rows of water over a bed could have velocities that their shifts took back, 2 mm/s up in one row and down
+// in the next, at no change of place; the bed took these velocities for room, and its moving layer sank by a fifth of a
+// spacing in six seconds (docs/theory.md, Shifting).
 // A shifted particle takes the velocity of the place where it comes to, u += grad u dx. Without it the shifts are a
 // viscosity: a vortex at Re 1000, 32 particles a side, had an error of 4.2 % in place of 2.7. All together would gain
 // momentum by that; their mean change of velocity is taken back, so that momentum stays to rounding. Masses stay.
@@ -46,8 +50,8 @@ inline constexpr float packing_least = -0.05F;  // f - 1 where the packing is kn
 }  // namespace shifting
 
 /// Pair sweep over the fluid: the shift of each water particle, as the velocity [m/s] that takes it there within the
-/// step, and the change of velocity that goes with it; 0 for others.
-template <int Dim>
+/// step, and the change of velocity that goes with it; 0 for others. `beds`: there is sediment.
+template <int Dim, bool beds>
 struct ShiftSweep {
   using neighbours = Neighbours<field::place, field::flow, field::matter>;
   using reads = Reads<field::place, field::flow, field::matter, field::role>;
@@ -59,6 +63,7 @@ struct ShiftSweep {
     Vec<Dim, L> closest;   // sum V e (W/W(dp))^4 grad W [1/m]
     L fullness;            // sum V F r^2 [-], -Dim inside
     L walls;               // sum of V W over walls [-]
+    Vec<Dim, L> bed;       // sum V grad W over sediment [1/m]
     GradientSum<Dim, L> velocity;
   };
 
@@ -79,6 +84,10 @@ struct ShiftSweep {
     for (int k = 0; k < Dim; ++k) sum.closest[k] += repelling * g.r[k];
     sum.fullness += weight * g.r2;
     sum.walls += lane_select(is_wall(b), b.volume * g.W, L(0.0F));
+    if constexpr (beds) {
+      const L of_bed = lane_select(is_sediment(b), weight, L(0.0F));
+      for (int k = 0; k < Dim; ++k) sum.bed[k] += of_bed * g.r[k];
+    }
     sum.velocity.add(b.velocity - a.velocity, g, lane_select(is_water(b), weight, L(0.0F)));
   }
 
@@ -99,12 +108,13 @@ struct ShiftSweep {
     }
     const float factor =
         shifting::strength * h * h * strain_rate<Dim>(gradient).magnitude * steps * (inside < 1 ? inside : 1);
-    float v[Dim];
-    float v2 = 0;
-    for (int k = 0; k < Dim; ++k) {
-      v[k] = -factor * (sum.crowding[k] + (sum.walls > 0 ? 0 : sum.closest[k]));
-      v2 += v[k] * v[k];
+    Vec<Dim, float> v{};
+    for (int k = 0; k < Dim; ++k) v[k] = -factor * (sum.crowding[k] + (sum.walls > 0 ? 0 : sum.closest[k]));
+    if constexpr (beds) {
+      const float bed2 = dot(sum.bed, sum.bed);
+      if (bed2 > 0) v = v - (dot(v, sum.bed) / bed2) * sum.bed;
     }
+    const float v2 = dot(v, v);
     const auto most = static_cast<float>(shifting::longest * scene.spacing / state->step.dt);
     const float part = v2 > most * most ? most / sqrtf(v2) : 1;
     const auto dt = static_cast<float>(state->step.dt);
@@ -172,7 +182,14 @@ void shift_particles(Device& on, Particles<Device>& p, const Scene<Dim>& scene, 
   on.for_each(1, declare<Reads<>, Writes<>>(
                      [=] HOST_DEVICE(Index) { state->shifts = state->number % interval == 0 ? state->moves : 0; }));
   const int* const before = on.skip_unless(&state->shifts);
-  sweep(on, p, scene, p.all_fluid(), ShiftSweep<Dim>{p.record.data(), p.rates.data(), p.roles(), state, scene});
+  const auto find_shifts = [&]<bool beds>() {
+    sweep(on, p, scene, p.all_fluid(), ShiftSweep<Dim, beds>{p.record.data(), p.rates.data(), p.roles(), state, scene});
+  };
+  if (scene.has_sediment) {
+    find_shifts.template operator()<true>();
+  } else {
+    find_shifts.template operator()<false>();
+  }
   on.reduce_then(
       p.fluid(), ShiftMomentum{}, ShiftMomentumPass{p.record.data(), p.rates.data(), p.mass.data()},
       [] HOST_DEVICE(ShiftMomentum a, const ShiftMomentum& b) {

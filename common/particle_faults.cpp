@@ -1,4 +1,4 @@
-#include "solver/simulation/particle_faults.hpp"
+#include "common/particle_faults.hpp"
 
 #include <fmt/format.h>
 
