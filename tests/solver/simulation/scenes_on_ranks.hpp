@@ -117,6 +117,7 @@ std::size_t unequal(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 inline void expect_same(const ParticleSet& a, const ParticleSet& b) {
+  ASSERT_EQ(a.size(), b.size());
   EXPECT_EQ(unequal(a.id, b.id), 0U);
   EXPECT_EQ(unequal(a.position, b.position), 0U);
   EXPECT_EQ(unequal(a.velocity, b.velocity), 0U);
