@@ -44,8 +44,10 @@ struct ContinuityAndStrainSweep {
   template <class LaneT, class L>
   HOST_DEVICE void pair(const LaneT& a, const LaneT& b, const PairGeometry<Dim, L>& g, std::size_t, Sum<L>& sum) const {
     const L weight = b.volume * g.F;
-    // The pressure of sediment at rest follows its neighbours', as a wall's does: towards it density does not diffuse.
-    const L diffusing = lane_select(is_resting(b), L(0.0F), weight);
+    // The pressure of sediment at rest follows its neighbours', as a wall's does: in a current density does not diffuse
+    // towards it, or the layer that slides over it would lose its pressure.
+    const float to_resting = continuity.scene.bed_load.holds_surface ? 0.0F : 1.0F;
+    const L diffusing = lane_select(is_resting(b), L(to_resting) * weight, weight);
     sum.diffusion += pair_diffusion(a, b, g, diffusing, same_phase(a, b), continuity.scene);
     const Vec<Dim, L> u = b.velocity - a.velocity;
     const auto b_water = is_water(b);

@@ -14,8 +14,8 @@ namespace thalweg {
 /// like friction: water over a bed that moves at 8 times its threshold lost 1.2 to 1.7 times the momentum that its shear
 /// stress took. But P does work that no change of density pays: drops onto a bed gained 0.19 dp of energy. So grains
 /// take P where they lie in a bed and the pressures are near each other, and p where they fly (held_share()) or in an
-/// impact (share_of_lent()). So do grains at rest under a layer that moves: their pressure holds its weight, with which the
-/// water in reach would push the layer and itself apart.
+/// impact (share_of_lent()). Grains at rest have the water's pressure already; but under a layer that moves their pressure
+/// holds its weight, with which the water in reach would push the layer and itself apart. So in a current they take P, too.
 template <int Dim>
 struct LentPressureSweep : ExtrapolatedPressureSweep<Dim> {
   using Base = ExtrapolatedPressureSweep<Dim>;
@@ -40,7 +40,8 @@ struct LentPressureSweep : ExtrapolatedPressureSweep<Dim> {
 
   HOST_DEVICE void end(Index i, const Sum<float>& sum) const {
     Record& r = records[i];
-    const bool of_bed = r.kind == kind::deposit || r.kind == kind::bed_load || is_resting(r);
+    const bool of_bed =
+        r.kind == kind::deposit || r.kind == kind::bed_load || (this->scene.bed_load.holds_surface && is_resting(r));
     if (!of_bed || !(sum.water.weight > 0)) return;
     const float held = held_share(sum.bed - r.volume * this->scene.kernel.value(1.0F));
     const float difference = this->pressure(sum.water) - r.work[0];
