@@ -44,7 +44,7 @@ class Population {
 
   /// Goes on from a checkpoint, or starts with the ids of a filled scene.
   static Population of(const ParticleSet& from);
-  /// Adds to a checkpoint what of() needs.
+  /// Adds to a checkpoint what of() needs, in place of what it holds of that.
   void add_to(ParticleSet& out) const;
 
   [[nodiscard]] const MassLedger& ledger() const { return ledger_; }
@@ -121,6 +121,7 @@ inline Population Population::of(const ParticleSet& from) {
 
 inline void Population::add_to(ParticleSet& out) const {
   out.facts[checkpoint_fact::population] = {static_cast<double>(next_id_), ledger_.in, ledger_.out, ledger_.lost};
+  out.facts.erase(checkpoint_fact::waiting);
   if (waiting_.empty()) return;
   std::vector<double>& numbers = out.facts[checkpoint_fact::waiting];
   for (const Newborn& b : waiting_) {

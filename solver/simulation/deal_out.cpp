@@ -180,8 +180,8 @@ class RangedScene {
     few.facts = frame.facts;
     AnyScene scene = make_scene(of_, few, water_ ? &*water_ : nullptr);
     walls_.find(scene);
+    known.facts = few.facts;
     Population::of(few).add_to(known);
-    known.facts.merge(few.facts);  // those of the population are there already
     return scene;
   }
   /// When the ranges are read again.
