@@ -11,7 +11,7 @@
 namespace thalweg::foam {
 namespace {
 
-std::string refusal(const Case& scene) {
+std::string plan_refusal(const Case& scene) {
   return message_of<InputError>([&] { make_foam_case(scene, 1); });
 }
 
@@ -103,7 +103,7 @@ TEST(SceneContents, MeasuresDiscsAndCombinations) {
 TEST(Refusal, ABedWhoseTimeRunsFasterThanTheWaters) {
   Case scene = still_tank();
   scene.model.sediment = SedimentModel::surface;
-  EXPECT_NE(refusal(scene).find("the bed's time runs faster than the water's"), std::string::npos);
+  EXPECT_NE(plan_refusal(scene).find("the bed's time runs faster than the water's"), std::string::npos);
   scene.surface_bed.factor = 1;
   EXPECT_EQ(models_of(scene), std::vector{FoamModel::eroding_bed});
 }
@@ -112,7 +112,7 @@ TEST(Refusal, NoContainer) {
   Case scene = still_tank();
   scene.shapes.erase(scene.shapes.begin());
   EXPECT_EQ(
-      refusal(scene),
+      plan_refusal(scene),
       "tank/case.toml: no container; the mesh model needs a wall shape with kind = \"box\" and side = \"outside\"");
 }
 
@@ -120,7 +120,7 @@ TEST(Refusal, ContainerThatIsNoBox) {
   Case scene = still_tank();
   scene.shapes.front().kind = ShapeKind::cylinder;
   EXPECT_EQ(
-      refusal(scene),
+      plan_refusal(scene),
       "tank/case.toml:7: the container \"tank\" is not a box; the mesh model fills boxes only: use kind = \"box\" "
       "and solid wall shapes");
 }
@@ -130,7 +130,7 @@ TEST(Refusal, TwoContainers) {
   scene.shapes.push_back(scene.shapes.front());
   scene.shapes.back().name = "second";
   scene.shapes.back().line = 31;
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(plan_refusal(scene),
             "tank/case.toml:31: \"second\" is a second container beside \"tank\"; the mesh model takes one wall shape "
             "with side = \"outside\"");
 }
@@ -139,7 +139,7 @@ TEST(Refusal, MovingWall) {
   Case scene = still_tank();
   scene.shapes.push_back(box("gate", ShapeRole::moving_wall, Vec3(0.2, 0, 0), Vec3(0.21, 0, 0.1)));
   scene.shapes.back().line = 40;
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(plan_refusal(scene),
             "tank/case.toml:40: shape \"gate\" is a moving wall, which the mesh model does not have; run this case "
             "with --no-foam");
 }
@@ -149,7 +149,7 @@ TEST(Refusal, KindTheMeshModelDoesNotHave) {
   scene.shapes.push_back(box("pier", ShapeRole::wall, Vec3(0.2, 0, 0), Vec3(0.21, 0, 0.1)));
   scene.shapes.back().kind = ShapeKind::mesh;
   scene.shapes.back().line = 40;
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(plan_refusal(scene),
             "tank/case.toml:40: the mesh model takes a mesh as a solid wall in 3-D only, from an STL or OBJ file and "
             "not turned (\"pier\"); run this case with --no-foam");
 }
@@ -158,33 +158,35 @@ TEST(Refusal, FluidOutsideTheContainer) {
   Case scene = water_tank();
   scene.shapes[1].from.x() = 0.5;
   scene.shapes[1].to.x() = 0.6;
-  EXPECT_EQ(refusal(scene), "tank/case.toml: water and sediment lie outside the container; move the shapes inside it");
+  EXPECT_EQ(plan_refusal(scene),
+            "tank/case.toml: water and sediment lie outside the container; move the shapes inside it");
 }
 
 TEST(Refusal, NoFluid) {
   Case scene = water_tank();
   scene.shapes.pop_back();
-  EXPECT_EQ(refusal(scene), "tank/case.toml: no water and no sediment; give at least one [[shape]] the role \"water\"");
+  EXPECT_EQ(plan_refusal(scene),
+            "tank/case.toml: no water and no sediment; give at least one [[shape]] the role \"water\"");
 }
 
 TEST(Refusal, CellsLargerThanTheScene) {
   Case scene = still_tank();
   scene.foam.cell = 0.3;
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(plan_refusal(scene),
             "tank/case.toml: cells of 30 cm leave fewer than 2 along x; use a smaller foam.cell (--cell)");
 }
 
 TEST(Refusal, MoreCellsThanAMachineHolds) {
   Case scene = still_tank();
   scene.foam.cell = 1e-6;
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(plan_refusal(scene),
             "tank/case.toml: cells of 1 um make a mesh of 6e+10 cells; use a larger foam.cell (--cell)");
 }
 
 TEST(Refusal, GravityThatPointsSideways) {
   Case scene = still_tank();
   scene.domain.gravity = Vec3(9.81, 0, 0);
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(plan_refusal(scene),
             "tank/case.toml: gravity does not point down; the mesh model integrates columns along z: give "
             "domain.gravity a negative z component that is its largest");
 }
@@ -198,7 +200,7 @@ TEST(Refusal, UnknownShapeInACombination) {
   both.of = {"pool", "lake"};
   both.line = 50;
   scene.shapes.push_back(both);
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(plan_refusal(scene),
             "tank/case.toml:50: shape \"both\" names \"lake\", which does not exist; name a [[shape]] of this case");
 }
 

@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """Installs a build below a folder, moves the folder, and uses it: install_test.py BUILD SCRATCH"""
 
 import json

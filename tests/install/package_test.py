@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """Makes the Debian package of a build and reads what is in it: package_test.py BUILD SCRATCH. Skipped (77) without dpkg-dev and file."""
 
 import pathlib

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "tests/physics/degree.hpp"
+
 namespace thalweg {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180;
 
 SedimentParameters sand() {
   SedimentParameters s;

@@ -7,11 +7,10 @@
 #include "physics/sediment/mohr_coulomb.hpp"
 #include "physics/sediment/mu_of_i.hpp"
 #include "physics/sediment/suspension_viscosity.hpp"
+#include "tests/physics/degree.hpp"
 
 namespace thalweg {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180;
 
 TEST(HerschelBulkley, HasTheHandWorkedValues) {
   // tau_y = 50 Pa, m = 100 s, k = 1.54, n = 1.8: at gdot = 1, 50 (1 - e^-50)/1 + 1.54 = 51.540, and likewise.

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <random>
 
+#include "tests/physics/degree.hpp"
+
 namespace thalweg {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
 using V2 = Vec<2, double>;
 using V3 = Vec<3, double>;
 const V3 down{0, 0, -1};

@@ -12,10 +12,9 @@
 namespace thalweg {
 namespace {
 
+using manufactured::flat;
 using manufactured::Flume;
 using testing::ElementsAre;
-
-double flat(double) { return 0; }
 
 Case case_with(int dimension, const std::vector<Gauge>& gauges) {
   Case c;

@@ -11,11 +11,10 @@
 namespace thalweg {
 namespace {
 
+using manufactured::flat;
 using manufactured::Flume;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-double flat(double) { return 0; }
 
 // A plane that rises by 0.2 along x, cut along, across and at an angle.
 TEST(LineProfile, OfATiltedPlaneIsExactToATenthOfTheSpacing) {

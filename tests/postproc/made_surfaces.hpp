@@ -13,8 +13,6 @@
 
 namespace thalweg::manufactured {
 
-inline double flat(double) { return 0; }
-
 /// The surfaces of a set, and the field and heights they come from.
 struct Made {
   std::vector<Surface> surfaces;

@@ -8,6 +8,9 @@
 
 namespace thalweg::manufactured {
 
+/// The floor of a flume that does not slope: 0 [m] at any x.
+inline double flat(double) { return 0; }
+
 /// Particle sets whose surfaces are known beforehand: a flume of length x in [from, from + length], floor at z = 0,
 /// walls four layers thick, filled from below on a lattice whose cells are cut at the surface by moving the particle
 /// and its volume into the filled part of the cell.

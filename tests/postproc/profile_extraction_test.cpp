@@ -13,9 +13,8 @@
 namespace thalweg {
 namespace {
 
+using manufactured::flat;
 using manufactured::Flume;
-
-double flat(double) { return 0; }
 
 struct Misfit {
   double rms = 0;

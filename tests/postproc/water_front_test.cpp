@@ -8,9 +8,8 @@
 namespace thalweg {
 namespace {
 
+using manufactured::flat;
 using manufactured::Flume;
-
-double flat(double) { return 0; }
 
 // A wedge of water 10 dp high running out to nothing at x = 0.8: it is least_layer * dp deep at 0.8 - 0.5 dp / slope.
 TEST(WaterFront, IsWhereAWedgeIsHalfASpacingDeep) {

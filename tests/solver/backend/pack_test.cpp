@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace thalweg {
@@ -13,11 +14,8 @@ namespace {
 /// tested.
 template <class T>
 class PackOfWidth : public testing::Test {};
-template <int W>
-struct Width {
-  static constexpr int value = W;
-};
-using Widths = testing::Types<Width<4>, Width<8>, Width<16>>;
+using Widths =
+    testing::Types<std::integral_constant<int, 4>, std::integral_constant<int, 8>, std::integral_constant<int, 16>>;
 TYPED_TEST_SUITE(PackOfWidth, Widths);
 
 template <int W>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 #include "tests/solver/scenes.hpp"
@@ -158,11 +159,8 @@ double largest_difference(Setting<W, Real>& s) {
 
 template <class T>
 class PrecisionOfWidth : public testing::Test {};
-template <int W>
-struct Width {
-  static constexpr int value = W;
-};
-using Widths = testing::Types<Width<4>, Width<8>, Width<16>>;
+using Widths =
+    testing::Types<std::integral_constant<int, 4>, std::integral_constant<int, 8>, std::integral_constant<int, 16>>;
 TYPED_TEST_SUITE(PrecisionOfWidth, Widths);
 
 TYPED_TEST(PrecisionOfWidth, DoubleSumsAreThoseOfAPlainLoop) {

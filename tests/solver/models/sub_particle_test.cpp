@@ -9,14 +9,14 @@ namespace thalweg {
 namespace {
 
 constexpr double density = 1000;  // [kg/m^3]
-constexpr double L = 0.1;         // [m] edge of a scene
+constexpr double edge = 0.1;      // [m] edge of a scene
 
 /// Water, n particles along an edge, with the velocities of(x) and the stress switched on.
 template <int Dim, class On, class VelocityOf>
 test::Loaded<Dim, On> water(int n, bool periodic, double jitter, const VelocityOf& of) {
   test::LatticeSetup<Dim> setup;
-  setup.length = L;
-  setup.spacing = L / n;
+  setup.length = edge;
+  setup.spacing = edge / n;
   setup.smoothing_ratio = Dim == 2 ? 2 : 1.5;
   setup.periodic = periodic;
   Scene<Dim> scene = test::make_scene_of(setup);
@@ -51,7 +51,7 @@ Eigen::Matrix3d closed_form(const Eigen::Matrix3d& gradient, double spacing) {
 /// The number of faces of the block that are within a spacing of a place.
 int faces_near(const Position& at, double spacing) {
   int faces = 0;
-  for (const double x : at.x) faces += x > 0 && (x < spacing || x > L - spacing) ? 1 : 0;
+  for (const double x : at.x) faces += x > 0 && (x < spacing || x > edge - spacing) ? 1 : 0;
   return faces;
 }
 
@@ -106,12 +106,12 @@ TYPED_TEST(SubParticleModelOn, StressIsExactInALinearShearAndAPureStrain) {
 
 /// A flow in which |S| vanishes at points at most, and its gradient.
 Vec3 waves(const Vec3& x, bool in_space) {
-  const double k = 2 * M_PI / L;
+  const double k = 2 * M_PI / edge;
   if (in_space) return {std::sin(k * x.z()), std::sin(k * x.x()), std::sin(k * x.y())};
   return {(1 + 0.7 * std::cos(k * x.x())) * std::sin(k * x.z()), 0, -0.7 * std::sin(k * x.x()) * std::cos(k * x.z())};
 }
 Eigen::Matrix3d gradient_of_waves(const Vec3& x, bool in_space) {
-  const double k = 2 * M_PI / L;
+  const double k = 2 * M_PI / edge;
   Eigen::Matrix3d g = Eigen::Matrix3d::Zero();
   if (in_space) {
     g(0, 2) = k * std::cos(k * x.z());
@@ -138,7 +138,7 @@ double error_of_the_divergence(int n) {
   for (Index i = 0; i < seen.fluid_count; ++i) {
     const Vec3 x(seen.position[i].x[0], seen.position[i].x[1], seen.position[i].x[2]);
     Vec3 exact = Vec3::Zero();
-    const double step = 1e-6 * L;
+    const double step = 1e-6 * edge;
     for (int c = 0; c < 3; ++c) {
       const Vec3 e = step * Vec3::Unit(c);
       exact += (closed_form(gradient_of_waves(x + e, in_space), l.scene.spacing) -
@@ -251,11 +251,11 @@ TYPED_TEST(SubParticleModelOn, TakesEnergyAndNoMomentumOutOfNoise) {
 /// Power of the stress in a wave u = sin kz in space, over the integral of rho nu_t |S|^2.
 template <class On>
 double share_of_the_dissipation(int n) {
-  const double k = 2 * M_PI / L;
+  const double k = 2 * M_PI / edge;
   auto l = water<3, On>(n, true, 0, [&](const Vec3& x) { return Vec3(std::sin(k * x.z()), 0, 0); });
   const double D = 0.12 * l.scene.spacing;
   // |S| = k |cos kz|, of which the mean cube is 4/(3 pi).
-  const double exact = density * D * D * k * k * k * 4 / (3 * M_PI) * L * L * L;
+  const double exact = density * D * D * k * k * k * 4 / (3 * M_PI) * edge * edge * edge;
   return -balance(l).power / exact;
 }
 
@@ -269,7 +269,7 @@ TYPED_TEST(SubParticleModelOn, DissipatesByItsEddyViscosity) {
 
 TEST(SubParticleStep, NeverGainsEnergyInADecayingVortex) {
   // Steps by the stress alone: kicks by its accelerations and drifts, in a vortex u = sin kx cos kz, w = -cos kx sin kz.
-  const double k = 2 * M_PI / L;
+  const double k = 2 * M_PI / edge;
   auto l = water<2, test::Cpu>(20, true, 0.1, [&](const Vec3& x) {
     return Vec3(std::sin(k * x.x()) * std::cos(k * x.z()), 0, -std::cos(k * x.x()) * std::sin(k * x.z()));
   });

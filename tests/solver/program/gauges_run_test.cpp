@@ -54,14 +54,14 @@ to = ["0 m", "0.3 m"]
   fs::path folder_;
 };
 
-const std::vector<std::string> short_run = {"numerics.spacing=\"20 mm\"", "output.end=\"0.1 s\"",
-                                            "output.interval=\"0.05 s\"", "output.gauge_interval=\"0.01 s\"",
-                                            "compare.times=[]"};
+const std::vector<std::string> brief = {"numerics.spacing=\"20 mm\"", "output.end=\"0.1 s\"",
+                                        "output.interval=\"0.05 s\"", "output.gauge_interval=\"0.01 s\"",
+                                        "compare.times=[]"};
 
 TEST(GaugesOfARun, AreWrittenWithoutSnapshotsAndContinuedAsOneRun) {
   const GaugedCase gauged("gauged");
   test::TwoEnds ends;
-  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(gauged.path(), short_run, "0.05 s", ends));
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(gauged.path(), brief, "0.05 s", ends));
   const RunFolder& straight = ends.straight_run.folder();
   const CsvTable table = CsvTable::read(straight.gauges());
   ASSERT_EQ(table.rows(), 11U);  // every 0.01 s from 0 to 0.1 s

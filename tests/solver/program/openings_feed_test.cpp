@@ -14,7 +14,7 @@
 namespace thalweg {
 namespace {
 
-constexpr const char* scene = THALWEG_SOURCE_DIR "/tests/solver/program/openings/feed.toml";
+constexpr const char* fed_scene = THALWEG_SOURCE_DIR "/tests/solver/program/openings/feed.toml";
 constexpr double bed_density = 0.6 * 2650 + 0.4 * 1000;  // [kg/m^3]
 
 /// Bed load of the scene's current at a depth [m] by the law of Meyer-Peter & Müller [m^2/s].
@@ -43,7 +43,7 @@ TEST(BedLoadOfInlets, KeepsTheBedBehindThem) {
   // where three spacings pass before the load is the law's.
   const double carried = 16 * bed_load_of_law(0.15) / 0.6;
   test::CaseRun fed("bed_fed");
-  fed.fill_from(scene, {});
+  fed.fill_from(fed_scene, {});
   ASSERT_EQ(run_solver(fed.options()), Exit::done);
   const double before = bed_between(fed.start(), 0, 0.3);
   const double lost = before - bed_between(fed.snapshot_at(16), 0, 0.3);
@@ -67,7 +67,7 @@ TEST(BedLoadOfInlets, KeepsTheBedBehindThem) {
   EXPECT_NEAR(sediment.back() - sediment.front(), in.back() + out.back(), 1.5 * particle);
 
   test::CaseRun starved("bed_starved");
-  starved.fill_from(scene, {"inlet.west.bed_load=none", "output.end=8 s"});
+  starved.fill_from(fed_scene, {"inlet.west.bed_load=none", "output.end=8 s"});
   ASSERT_EQ(run_solver(starved.options()), Exit::done);
   EXPECT_GT(before - bed_between(starved.snapshot_at(8), 0, 0.3), 0.6 * carried / 2);
 }
@@ -76,7 +76,7 @@ TEST(BedLoadOfInlets, ComesInAtAFixedRate) {
   // 1e-4 m^2/s of grains fill 1.67e-4 m^2 of the bed a second: a particle of 1e-4 m^2 crosses the plane each 0.6 s, the
   // first after half of that.
   test::CaseRun run("bed_fixed");
-  run.fill_from(scene, {"inlet.west.bed_load=fixed", "inlet.west.bed_load_rate=1e-4 m^2/s", "output.end=3 s"});
+  run.fill_from(fed_scene, {"inlet.west.bed_load=fixed", "inlet.west.bed_load_rate=1e-4 m^2/s", "output.end=3 s"});
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const double particle = bed_density * 1e-4;
   EXPECT_NEAR(column(run, "west_sediment", "kg").back(), 5 * particle, 1e-6 * particle);
@@ -84,7 +84,7 @@ TEST(BedLoadOfInlets, ComesInAtAFixedRate) {
 
 TEST(BedLoadOfInlets, ComesBackFromTheOutlets) {
   test::CaseRun run("bed_recirculated");
-  run.fill_from(scene, {"inlet.west.bed_load=recirculated", "output.end=12 s"});
+  run.fill_from(fed_scene, {"inlet.west.bed_load=recirculated", "output.end=12 s"});
   ASSERT_EQ(run_solver(run.options()), Exit::done);
   const double in = column(run, "west_sediment", "kg").back();
   const double out = -column(run, "east_sediment", "kg").back();
@@ -97,15 +97,15 @@ TEST(BedLoadOfInlets, ContinuesBitForBit) {
   const std::vector<std::string> options = {"output.end=\"1.2 s\"", "output.interval=\"0.2 s\"",
                                             "inlet.west.bed_load=\"fixed\"", "inlet.west.bed_load_rate=\"2e-4 m^2/s\""};
   test::TwoEnds ends;
-  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(scene, options, "0.8 s", ends));
+  ASSERT_NO_FATAL_FAILURE(test::run_with_a_break(fed_scene, options, "0.8 s", ends));
   test::expect_equal_ends(ends, {"Openings", "Population"});
 }
 
 TEST(BedLoadOfInlets, NeedsGroundAndABed) {
   test::CaseRun run("bed_without_ground");
-  EXPECT_THAT([&] { run.fill_from(scene, {"shape.west_end.to=[\"0 m\", \"0.04 m\"]"}); },
+  EXPECT_THAT([&] { run.fill_from(fed_scene, {"shape.west_end.to=[\"0 m\", \"0.04 m\"]"}); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("0 of 6 particles of ground lie under its zone")));
-  EXPECT_THAT([&] { run.fill_from(scene, {"shape.bed.from=[\"0.05 m\", \"0 m\"]"}); },
+  EXPECT_THAT([&] { run.fill_from(fed_scene, {"shape.bed.from=[\"0.05 m\", \"0 m\"]"}); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("no bed begins at its plane")));
 }
 
