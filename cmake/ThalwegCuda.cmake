@@ -13,7 +13,7 @@ execute_process(COMMAND nvidia-smi -L RESULT_VARIABLE no_gpu OUTPUT_QUIET ERROR_
 if(no_gpu EQUAL 0)
   set(THALWEG_HAS_GPU ON)
 endif()
-if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES AND NOT DEFINED ENV{CUDAARCHS})
   # Code for A100 and H100/H200, and text (PTX) that newer drivers compile for newer GPUs; "native" or any list may be given.
   set(CMAKE_CUDA_ARCHITECTURES 80-real 90)
   if(THALWEG_HAS_GPU)
