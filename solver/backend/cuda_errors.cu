@@ -1,5 +1,7 @@
 #include "solver/backend/cuda_errors.cuh"
 
+#include <cstring>
+
 #include "common/error.hpp"
 #include "solver/backend/cuda.cuh"
 
@@ -63,11 +65,18 @@ void check_cuda(cudaError_t status, const char* doing) {
   if (status != cudaSuccess) throw RunError(std::string("CUDA, while ") + doing + ": " + reason(status));
 }
 
-int choose_cuda_device(int place) {
+void choose_cuda_device(int place) {
   int devices = 0;
-  if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) return 0;  // cuda_problem() says why
+  if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) return;  // cuda_problem() says why
   check_cuda(cudaSetDevice(place % devices), "choosing a device");
-  return devices;
+}
+
+void name_cuda_device(std::uint8_t* name) {
+  int device = 0;
+  cudaDeviceProp of{};
+  check_cuda(cudaGetDevice(&device), "reading the device's name");
+  check_cuda(cudaGetDeviceProperties(&of, device), "reading the device's name");
+  std::memcpy(name, of.uuid.bytes, sizeof(of.uuid.bytes));
 }
 
 std::string cuda_problem() {

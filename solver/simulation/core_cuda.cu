@@ -10,7 +10,10 @@ THALWEG_EXPORT thalweg::Simulation* thalweg_make_simulation(const thalweg::Simul
 }
 
 /// Takes one of this machine's devices, of which there are so many; ranks beyond their number share them.
-THALWEG_EXPORT int thalweg_choose_device(int place) { return thalweg::choose_cuda_device(place); }
+THALWEG_EXPORT void thalweg_choose_device(int place) { thalweg::choose_cuda_device(place); }
+
+/// Writes the 16 bytes by which ranks know whether they share the chosen device.
+THALWEG_EXPORT void thalweg_name_device(std::uint8_t* name) { thalweg::name_cuda_device(name); }
 
 /// Why the CUDA device cannot be used here, or an empty text.
 THALWEG_EXPORT const char* thalweg_device_problem() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -22,7 +23,8 @@ namespace {
 using Maker = Simulation* (*)(const SimulationInput*);
 using DeviceProblem = const char* (*)();
 using DeviceMemory = double (*)();
-using DeviceChoice = int (*)(int);
+using DeviceChoice = void (*)(int);
+using DeviceName = void (*)(std::uint8_t*);
 
 struct Core {
   const char* instruction_set;
@@ -103,27 +105,33 @@ struct GpuOfRank {
   std::string problem;    // why it cannot be used
 };
 
+/// The core and the GPU of this rank, chosen among those that it sees.
+void choose_gpu(GpuOfRank& gpu, int place, std::array<std::uint8_t, 16>& name) {
+  if (find_core("cuda").empty()) throw InputError(no_cuda_core);
+  gpu.core.emplace("cuda");
+  gpu.core->function<DeviceChoice>("thalweg_choose_device")(place);
+  const std::string problem = gpu.core->function<DeviceProblem>("thalweg_device_problem")();
+  if (!problem.empty()) throw InputError("--backend cuda: " + problem);
+  gpu.is_found = true;
+  gpu.core->function<DeviceName>("thalweg_name_device")(name.data());
+}
+
+/// Refuses a GPU that has no room for the parts of the ranks that share it.
+void require_room(GpuOfRank& gpu, const SimulationInput& input, std::ptrdiff_t sharing) {
+  const double available = gpu.core->function<DeviceMemory>("thalweg_device_memory")() / static_cast<double>(sharing);
+  const GpuMemory memory = memory_of(input);
+  require_gpu_memory(input.scene, memory, available, input.ranks->size());
+  gpu.has_room = stores_coefficients(memory, available);
+}
+
 GpuOfRank find_gpu_of_rank(const SimulationInput& input) {
   GpuOfRank gpu;
   Ranks& ranks = *input.ranks;
-  try {
-    if (find_core("cuda").empty()) throw InputError(no_cuda_core);
-    gpu.core.emplace("cuda");
-    const int devices = gpu.core->function<DeviceChoice>("thalweg_choose_device")(ranks.place_on_this_machine());
-    gpu.problem = gpu.core->function<DeviceProblem>("thalweg_device_problem")();
-    if (!gpu.problem.empty()) {
-      gpu.problem = "--backend cuda: " + gpu.problem;
-      return gpu;
-    }
-    gpu.is_found = true;
-    const int share = (ranks.on_this_machine() + devices - 1) / devices;
-    const double available = gpu.core->function<DeviceMemory>("thalweg_device_memory")() / share;
-    const GpuMemory memory = memory_of(input);
-    require_gpu_memory(input.scene, memory, available, ranks.size());
-    gpu.has_room = stores_coefficients(memory, available);
-  } catch (const std::runtime_error& e) {
-    gpu.problem = e.what();
-  }
+  std::array<std::uint8_t, 16> name{};
+  gpu.problem = problem_of([&] { choose_gpu(gpu, ranks.place_on_this_machine(), name); });
+  const auto names = gather_from(ranks, name);
+  if (!gpu.problem.empty()) return gpu;
+  gpu.problem = problem_of([&] { require_room(gpu, input, std::count(names.begin(), names.end(), name)); });
   return gpu;
 }
 

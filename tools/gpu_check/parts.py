@@ -63,6 +63,11 @@ def outcome(passed, seconds, why="", **more):
     return {"passed": passed, "seconds": round(seconds, 1), "why": why, **more}
 
 
+def skipped(why, seconds=0):
+    """Of a row that this machine cannot run."""
+    return outcome(None, seconds, why, skipped=True)
+
+
 def rows(bundle, out):
     programs = Programs(bundle, pathlib.Path(out))
     made = []
@@ -155,16 +160,16 @@ def run_ranks(programs, budget, model, case, settings, until):
 def run_nccl(programs, budget, model, case, settings, until):
     """The same run on one rank, and on two that send to each other by NCCL."""
     if machine.gpus() < 2:
-        return outcome(True, 0, "needs two GPUs; skipped")
+        return skipped("needs two GPUs")
     if not (programs.bundle / "bin" / "thalweg_link_nccl.so").exists():
-        return outcome(True, 0, "the bundle was built without NCCL; skipped")
+        return skipped("the bundle was built without NCCL")
     return compare_ranks(programs, budget, f"nccl {model}", case, settings, until, (1, 2), "--device-messages", "nccl")
 
 
 def compare_ranks(programs, budget, name, case, settings, until, numbers, *options):
     """The same run on so many ranks each time."""
     if shutil.which("mpirun") is None:
-        return outcome(True, 0, "mpirun is not on this machine; skipped")
+        return skipped("mpirun is not on this machine")
     seconds = 0
     found = []
     for ranks in numbers:
@@ -176,7 +181,7 @@ def compare_ranks(programs, budget, name, case, settings, until, numbers, *optio
         seconds += took
         said = programs.last_lines(f"{name} {ranks}")
         if status != 0 and " MPI" in said:
-            return outcome(True, seconds, f"MPI does not run on this machine; skipped: {said}")
+            return skipped(f"MPI does not run on this machine: {said}", seconds)
         if status != 0:
             return outcome(None if status == "timeout" else False, seconds, f"{ranks} ranks: {said}")
         found.append(folder)
@@ -197,7 +202,7 @@ AGREEMENT = {"kinetic_energy": 0.02, "potential_energy": 1e-4, "water_mass": 1e-
 def run_sanitizer(programs, budget, check, scene, case, settings, until):
     tool = shutil.which("compute-sanitizer") or "/usr/local/cuda/bin/compute-sanitizer"
     if not pathlib.Path(tool).exists():
-        return outcome(True, 0, "compute-sanitizer is not on this machine; skipped")
+        return skipped("compute-sanitizer is not on this machine")
     name = f"{check} {scene}"
     folder = programs.fill(name, case, (*settings, *NO_COMPARE), budget.left())
     if folder is None:
@@ -302,7 +307,7 @@ NCU_METRICS = ",".join((
 def run_ncu(programs, budget):
     tool = shutil.which("ncu") or "/usr/local/cuda/bin/ncu"
     if not pathlib.Path(tool).exists():
-        return outcome(True, 0, "ncu is not on this machine; skipped")
+        return skipped("ncu is not on this machine")
     folder = known(programs, "flume 3.55 M")
     if folder is None:
         return outcome(None, 0, "flume 3.55 M comes first")

@@ -34,19 +34,26 @@ class Record:
                 self.content["rows"] = known["rows"]
 
     def has(self, row):
-        """True if the row is done. One that failed, or was cut short, is run again."""
+        """True if the row is done. One that failed, was cut short or skipped is run again."""
         return self.content["rows"].get(row.name, {}).get("passed") is True
 
     def failed(self, row):
         return self.content["rows"].get(row.name, {}).get("passed") is False
+
+    def skipped(self, row):
+        return self.content["rows"].get(row.name, {}).get("skipped", False)
 
     def note(self, row, outcome):
         self.content["rows"][row.name] = {"part": row.part, **outcome}
         write(self.file, json.dumps(self.content, indent=1))
         write(self.out / "gpu-check.md", page(self.content))
         pack_logs(self.out)
-        verdict = {True: "passed", False: "FAILED", None: "not finished"}[outcome["passed"]]
-        print(f"{row.name}: {verdict}{': ' + outcome['why'] if outcome.get('why') else ''}", flush=True)
+        print(f"{row.name}: {verdict(outcome)}", flush=True)
+
+
+def verdict(outcome):
+    word = "skipped" if outcome.get("skipped") else {True: "passed", False: "FAILED", None: "not finished"}[outcome["passed"]]
+    return f"{word}: {outcome['why']}" if outcome.get("why") else word
 
 
 def write(file, text):
@@ -76,8 +83,7 @@ def page(content):
              f"{facts['device']} ({facts['memory_MiB']} MiB), driver {facts['driver']}, {facts['cores']} cores beside it; "
              f"{facts['when']}; `tools/gpu-check`, {facts['code']}", "", "| row | outcome | seconds |", "|---|---|---|"]
     for name, row in rows.items():
-        word = {True: "passed", False: "failed", None: "not finished"}[row["passed"]]
-        lines.append(f"| {name} | {word}{': ' + row['why'] if row.get('why') else ''} | {row.get('seconds', 0):.0f} |")
+        lines.append(f"| {name} | {verdict(row)} | {row.get('seconds', 0):.0f} |")
     lines += bench_table(rows) + shares(rows)
     for name, row in rows.items():
         if row["part"] == "flume" and "flow_seconds" in row:

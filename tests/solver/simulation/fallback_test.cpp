@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "common/error.hpp"
+#include "solver/simulation/gpu_memory.hpp"
 #include "solver/simulation/input.hpp"
 #include "tests/solver/lattice_scene.hpp"
 #include "tests/solver/thread_ranks.hpp"
@@ -25,6 +26,7 @@ class Fallback : public testing::Test {
     unsetenv("FAKE_GPU_MEMORY");
     unsetenv("FAKE_GPU_PROBLEM");
     unsetenv("FAKE_GPU_OF");
+    unsetenv("FAKE_GPUS");
   }
   ~Fallback() override { spdlog::set_default_logger(before_); }
 
@@ -93,6 +95,22 @@ std::vector<std::string> refusals(const SimulationInput& input, const std::strin
     }
   });
   return said;
+}
+
+TEST_F(Fallback, SharesAGpusMemoryAmongTheRanksThatHaveItAndNoOthers) {
+  const GpuMemory one_rank = estimate_gpu_memory(scene_, particles_, 2);
+  setenv("FAKE_GPU_MEMORY", std::to_string(1.5 * one_rank.needed).c_str(), 1);
+  const SimulationInput input{.scene = scene_, .particles = &particles_, .threads = 1};
+  for (const std::string& said : refusals(input, "cuda")) {
+    EXPECT_NE(said.find("on each rank's GPU, which has"), std::string::npos) << said;
+  }
+  // Each rank sees one GPU here, too, but it is another one: there is room, and the core is asked for a simulation.
+  setenv("FAKE_GPUS", "2", 1);
+  test::ThreadRanks(2).run([&](Ranks& mine) {
+    SimulationInput of_rank = input;
+    of_rank.ranks = &mine;
+    EXPECT_THROW(make_simulation(of_rank, "cuda", "auto"), RunError);
+  });
 }
 
 // Beside this test lies a module of NCCL's name that is none.

@@ -20,7 +20,9 @@ THALWEG_EXPORT thalweg::Simulation* thalweg_make_simulation(const thalweg::Simul
   return std::visit([&](const auto& scene) { return make(scene, *input); }, input->scene);
 }
 
-THALWEG_EXPORT int thalweg_choose_device(int /*place*/) { return 1; }
+THALWEG_EXPORT void thalweg_choose_device(int /*place*/) {}
+
+THALWEG_EXPORT void thalweg_name_device(std::uint8_t* name) { std::fill_n(name, 16, std::uint8_t{0}); }
 
 THALWEG_EXPORT const char* thalweg_device_problem() { return ""; }
 
