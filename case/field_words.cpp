@@ -36,9 +36,8 @@ const std::vector<FieldWord>& field_words() {
        {"outlet"}},
       {{"scour depth", "scour", "scour hole", "erosion depth", "scour volume", "bed change", "erosion"},
        "A result, not a key: thalweg postproc measures how far the bed has sunk below its start (report, profiles/ and "
-       "surfaces/; "
-       "docs/file-formats.md). thalweg formulas CASE gives the depths of handbooks. The keys below decide how sediment "
-       "moves.",
+       "surfaces/; docs/file-formats.md). thalweg formulas CASE gives the depths of handbooks. The keys below decide "
+       "how sediment moves.",
        {"model.sediment", "model.bed_load", "surface_bed.factor", "compare.times"}},
       {{"slope", "bed slope", "incline", "gradient", "fall of the flume", "tilt"},
        "A flume's fall drives a current through [flow] slope in a periodic domain. A sloping bed is a shape: a prism "
@@ -82,8 +81,7 @@ const std::vector<FieldWord>& field_words() {
        {"materials.<sediment>.porosity", "materials.<sediment>.bed_density"}},
       {{"morphological factor", "morfac", "long time", "equilibrium scour", "hours", "days"},
        "Scour that takes minutes to days is computed with the bed as a surface, whose time runs faster than the "
-       "water's "
-       "(docs/surface-bed.md).",
+       "water's (docs/surface-bed.md).",
        {"surface_bed.factor", "surface_bed.window", "surface_bed.spin_up"}},
       {{"gate", "sluice", "moving wall", "piston", "wave maker", "wavemaker", "paddle", "wave"},
        "A wall that moves is a shape with role = \"moving wall\" and a [[motion]]: a gate that lifts, a piston, a "
@@ -110,8 +108,7 @@ const std::vector<FieldWord>& field_words() {
        {"numerics.cfl", "numerics.sound_speed_factor"}},
       {{"resolution", "dp", "particle size", "particle spacing", "mesh size", "grid", "cell size"},
        "Particles stand numerics.spacing apart at the start; foam.cell is the mesh model's cell. Half the spacing "
-       "costs about 8 "
-       "times the time in 2-D, 16 times in 3-D.",
+       "costs about 8 times the time in 2-D, 16 times in 3-D.",
        {"numerics.spacing", "foam.cell", "numerics.accuracy"}},
       {{"eddy", "eddy viscosity", "les", "smagorinsky", "mixing length"},
        "Eddies that the particles are too coarse for are modelled by model.turbulence; foam.turbulence is the mesh "

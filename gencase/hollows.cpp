@@ -8,9 +8,9 @@ namespace thalweg::gencase {
 namespace {
 
 /// Columns of free room, a spacing apart, over the walls and one further on each side.
-class Columns {
+class RoomColumns {
  public:
-  Columns(const Case& scene, const FlowRoom& room, const Bounds& walls, double level)
+  RoomColumns(const Case& scene, const FlowRoom& room, const Bounds& walls, double level)
       : spacing_(scene.numerics.spacing), low_(walls.lower.z() - spacing_), level_(level) {
     const Vec3 anchor = scene.gencase.anchor == LatticeAnchor::point ? scene.gencase.anchor_point
                                                                      : scene.domain.from;  // of the lattice
@@ -113,7 +113,7 @@ class Columns {
     const long i = std::lround((line.origin.x() - sides_[0].origin) / spacing_);
     const long j = sides_[1].count > 1 ? std::lround((line.origin.y() - sides_[1].origin) / spacing_) : 0;
     for (const auto& [di, dj] : {std::pair{0L, 0L}, {-1L, 0L}, {1L, 0L}, {0L, -1L}, {0L, 1L}}) {
-      const Spans* spans = const_cast<Columns*>(this)->column(i + di, j + dj);
+      const Spans* spans = const_cast<RoomColumns*>(this)->column(i + di, j + dj);
       if (spans != nullptr &&
           std::any_of(spans->begin(), spans->end(), [&](const Span& held) { return meet(held, span); }))
         return true;
@@ -130,7 +130,7 @@ class Columns {
 
 class Hollow : public Region {
  public:
-  Hollow(FlowRoom room, Columns columns, Bounds bounds, double thickness)
+  Hollow(FlowRoom room, RoomColumns columns, Bounds bounds, double thickness)
       : room_(std::move(room)), columns_(std::move(columns)), bounds_(std::move(bounds)), thickness_(thickness) {}
 
   [[nodiscard]] bool contains(const Vec3& p) const override {
@@ -152,7 +152,7 @@ class Hollow : public Region {
 
  private:
   FlowRoom room_;
-  Columns columns_;
+  RoomColumns columns_;
   Bounds bounds_;
   double thickness_;  // [m] of a layer; infinite for a level
 };
@@ -161,7 +161,7 @@ RegionPointer make(const Case& scene, FlowRoom room, double level, double thickn
   Bounds box = room.bounds_of_solids();
   level = std::min(level, scene.domain.to.z());
   if (level <= box.lower.z()) return nullptr;
-  Columns columns(scene, room, box, level);
+  RoomColumns columns(scene, room, box, level);
   if (!columns.hold_something()) return nullptr;
   box.upper.z() = level;
   return std::make_shared<Hollow>(std::move(room), std::move(columns), box, thickness);

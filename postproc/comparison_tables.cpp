@@ -26,8 +26,7 @@ void write_scalars(const std::filesystem::path& file, const std::vector<ScalarEr
                   {"relative_error", "-"}});
   table.comments.emplace_back(
       "error = compared - reference, relative to the reference's value; scour and deposition: largest fall and rise of "
-      "the "
-      "bed since 0 s within the compared range; an empty cell is a value that a source does not have");
+      "the bed since 0 s within the compared range; an empty cell is a value that a source does not have");
   for (const ScalarError& s : scalars) {
     const double error = s.compared_value - s.reference_value;
     const double relative = s.reference_value == 0 ? Profile::missing : error / std::abs(s.reference_value);

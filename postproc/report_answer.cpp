@@ -35,8 +35,7 @@ std::string band(const ReportInput& input) {
   if (!band.is_known()) {
     return input.series.of_bed_time
                ? "none was computed: <code>--set compare.factor_runs=2</code> runs the case again with half the "
-                 "factor, "
-                 "<code>compare.runs=2</code> with twice the spacing, and this page then gives one"
+                 "factor, <code>compare.runs=2</code> with twice the spacing, and this page then gives one"
                : "none was computed: <code>--set compare.runs=2</code> runs the case again with twice the spacing, and "
                  "this page then gives one";
   }
@@ -56,8 +55,7 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 std::string box(const std::string& value, const std::string& unit, const std::string& what, const Facts& facts) {
   std::string text = fmt::format(
       "<section class=\"answer\">\n<div class=\"big\"><div class=\"v\">{} <span>{}</span></div><div "
-      "class=\"k\">{}</div>"
-      "</div>\n<dl>\n",
+      "class=\"k\">{}</div></div>\n<dl>\n",
       value, unit, what);
   for (const auto& [name, fact] : facts) text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, fact);
   return text + "</dl>\n</section>\n";

@@ -85,14 +85,12 @@ std::string conclusions(const ReportInput& input) {
   const std::string limit = input.band.is_known() ? "the band of " + band_in_words(input) : "a band";
   text += fmt::format(
       "<p>Differences within {} cannot be told from the effect of the numerical choices. A larger one comes from what "
-      "the methods assume: "
-      "particles let sediment yield and be carried as a body, a mesh with a bed-load law moves a thin layer by the "
-      "stress "
-      "on it, a formula holds the mean of experiments. A finer lattice does not remove it. {}</p>\n",
+      "the methods assume: particles let sediment yield and be carried as a body, a mesh with a bed-load law moves a "
+      "thin layer by the stress on it, a formula holds the mean of experiments. A finer lattice does not remove it. "
+      "{}</p>\n",
       limit,
       differ ? "Here some differ: take the deepest for a design, their distance as the uncertainty of the models, and "
-               "look "
-               "for a measurement of such a scene before less is taken."
+               "look for a measurement of such a scene before less is taken."
              : "Here none is known to.");
   return text;
 }

@@ -37,12 +37,11 @@ std::string methods(const ReportInput& input, const fs::path& pictures) {
       rows, "lrrrrrr", "wide");
   const std::string cost = html::inline_svg(pictures / "cost.svg", "cost", "Speed against error of both methods");
   if (!cost.empty()) {
-    text += "<div class=\"pair\">\n<figure>\n" + cost +
-            "<figcaption>CPU time of each run, and the distance of its bed, or of its free surface without a bed, from "
-            "the finest "
-            "run of the same method. "
-            "The finest runs themselves are not shown. The distance shows the effect of the resolution; it does not "
-            "show how close a method is to reality.</figcaption>\n</figure>\n</div>\n";
+    text +=
+        "<div class=\"pair\">\n<figure>\n" + cost +
+        "<figcaption>CPU time of each run, and the distance of its bed, or of its free surface without a bed, from the "
+        "finest run of the same method. The finest runs themselves are not shown. The distance shows the effect of the "
+        "resolution; it does not show how close a method is to reality.</figcaption>\n</figure>\n</div>\n";
   }
   text += "<p class=\"small\">Root mean square over all times compared; <a href=\"cost.csv\">cost.csv</a>.</p>\n";
   if (!bands) return text;

@@ -53,8 +53,7 @@ std::string openings(const ReportInput& input, const std::filesystem::path& pict
   std::string text = "<h2>What came in and went out</h2>\n" + opening_table(records, unit, input.units.height);
   text += fmt::format(
       "<p class=\"small\">Discharge and level are means over the last half of the run, water and sediment sums over "
-      "all "
-      "of it{}. In that half {} came in more than went out.</p>\n<div class=\"pair\">\n",
+      "all of it{}. In that half {} came in more than went out.</p>\n<div class=\"pair\">\n",
       input.resolved.info.dimension == 2 ? ", per metre of width" : "",
       html::typeset(fmt::format("{:.2g} {}", net, unit)));
   text += figure(html::inline_svg(pictures / "discharges.svg", "discharges", "Discharges of inlets and outlets"),

@@ -141,8 +141,7 @@ std::string scene(const ReportInput& input, const fs::path& pictures) {
   if (shots.empty()) {
     return text +
            "<p class=\"small onscreen\">In ParaView: <code>paraview --script=view.py</code>; <code>pvbatch view.py "
-           "--pictures "
-           "report/paraview</code> saves pictures, which the next report shows here.</p>\n";
+           "--pictures report/paraview</code> saves pictures, which the next report shows here.</p>\n";
   }
   return text + paraview_figure(shots.back());
 }
@@ -210,23 +209,21 @@ std::string space_time(const ReportInput& input, const fs::path& pictures) {
   const BedHistory& bed = input.bed_history;
   if (bed.times == 0) return "";
   return "<h2>The bed over place and time</h2>\n" +
-         figure(
-             html::inline_png(pictures / "space_time.png", "Change of the bed over place and time"),
-             fmt::format(
-                 "Change of the bed's level since the start{} at {} times: brown where it has risen, blue-green where "
-                 "it has sunk. The line is the water's front. Largest change: {}. Numbers: <a "
-                 "href=\"data/bed_change.csv\">report/data/bed_change.csv</a>.",
-                 input.resolved.info.dimension == 3 ? fmt::format(" in the plane y = {:g} m", input.extraction.plane_y)
-                                                    : "",
-                 bed.times, input.units.height.text(bed.largest)));
+         figure(html::inline_png(pictures / "space_time.png", "Change of the bed over place and time"),
+                fmt::format("Change of the bed's level since the start{} at {} times: brown where it has risen, "
+                            "blue-green where it has sunk. The line is the water's front. Largest change: {}. Numbers: "
+                            "<a href=\"data/bed_change.csv\">report/data/bed_change.csv</a>.",
+                            input.resolved.info.dimension == 3
+                                ? fmt::format(" in the plane y = {:g} m", input.extraction.plane_y)
+                                : "",
+                            bed.times, input.units.height.text(bed.largest)));
 }
 
 std::string space_view(const ReportInput& input, const SpaceScene& scene) {
   if (scene.data.empty()) return "";
   return "<h2>The run in three dimensions</h2>\n<figure id=\"scene\">\n<div class=\"canvas\"></div>\n<div "
-         "class=\"controls\">"
-         "<button type=\"button\">play</button><input type=\"range\" min=\"0\" step=\"1\" aria-label=\"time\">"
-         "<output></output><label><input type=\"checkbox\" name=\"water\" checked> water</label>" +
+         "class=\"controls\"><button type=\"button\">play</button><input type=\"range\" min=\"0\" step=\"1\" "
+         "aria-label=\"time\"><output></output><label><input type=\"checkbox\" name=\"water\" checked> water</label>" +
          fmt::format("<span class=\"scale\">−{0} <i></i> +{0}</span></div>\n", input.units.height.text(scene.largest)) +
          fmt::format(
              "<figcaption>The bed under the water's surface at {} times{}. The bed is brown where it has risen since "

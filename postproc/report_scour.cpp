@@ -59,10 +59,9 @@ std::string of_surface(const ReportInput& input) {
   text += checks(input);
   text += fmt::format(
       "<p class=\"small\">The water was computed for {:.4g} s, the bed went on {:.3g} times as fast, in {} steps, {} "
-      "of "
-      "them under a stress that had not settled. Volume of grains that came in {}, that went out {}{}. An equilibrium "
-      "is "
-      "told only where the curve has come to {:g} of it; its error is that of the fit alone, not of the model.</p>\n",
+      "of them under a stress that had not settled. Volume of grains that came in {}, that went out {}{}. An "
+      "equilibrium is told only where the curve has come to {:g} of it; its error is that of the fit alone, not of the "
+      "model.</p>\n",
       record.water_time, record.time.back() / record.water_time, record.steps, record.unsettled,
       html::typeset(volume.text(record.fed)), html::typeset(volume.text(record.left)),
       in_plane ? " per metre of width" : "", enough_reached);
@@ -138,8 +137,7 @@ std::string formulas(const ReportInput& input) {
   text += html::table({"at", "formula", "gives", "value", "range"}, rows, "lllrl");
   text += fmt::format(
       "<p class=\"small\">Empirical formulas for what the case shows, as <code>thalweg formulas</code> prints them "
-      "with "
-      "their inputs and sources. Outside its range a formula says little.{}</p>\n",
+      "with their inputs and sources. Outside its range a formula says little.{}</p>\n",
       unknown > 0 ? fmt::format(" {} more lack an input that the case does not tell.", unknown) : "");
   return text;
 }

@@ -50,8 +50,7 @@ std::string bed_in_words(const ReportInput& input) {
     const BedBalance& change = *sample.balance;
     std::string text = fmt::format(
         "By t = {:g} s the bed has been scoured by up to {} (at {}) and raised by up to {} (at {}), looked for over "
-        "the "
-        "whole bed. {}",
+        "the whole bed. {}",
         last.time, height.text(change.scour), place_in_words(input, change.scour_at.x(), change.scour_at.y()),
         height.text(change.deposition), place_in_words(input, change.deposition_at.x(), change.deposition_at.y()),
         change_in_range(input));
@@ -105,8 +104,7 @@ std::string heading(const ReportInput& input) {
   if (!info.source.empty()) text += fmt::format("<p class=\"source\">{}</p>\n", escape(info.source));
   text += fmt::format(
       "<p class=\"meta\">Case <b>{}</b> · {} · particle spacing <b>{:g} mm</b> · to t = <b>{:g} s</b> · Thalweg "
-      "<b>{}</b> "
-      "· case hash <b>{}</b> · {}</p>\n{}</header>\n",
+      "<b>{}</b> · case hash <b>{}</b> · {}</p>\n{}</header>\n",
       escape(info.name), info.dimension == 2 ? "2-D, the plane x–z, per metre of width" : "3-D",
       1e3 * input.extraction.info.spacing, input.extraction.last_time, escape(input.extraction.info.code_version),
       escape(input.extraction.info.case_hash), computed_in_words(input),

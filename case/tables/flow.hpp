@@ -55,19 +55,16 @@ struct Flow {
     v.quantity("discharge", discharge, "m^2/s", 0, 1000,
                "drive = \"discharge\": volume per time and width, the width being that of the water seen from above.");
     v.quantity("velocity", velocity, "m/s", 0, 100, "drive = \"velocity\": mean over the volume of the water.");
-    v.quantity(
-        "guide_length", guide_length, "m", 0, 1e6,
-        "Length of a zone that turns what comes around the period back into the current of an endless flume: over "
-        "it the water takes the logarithmic profile over the ground, at its own discharge. Behind a body the wake "
-        "would come around and meet it. 0: none. Mesh models have none.");
+    v.quantity("guide_length", guide_length, "m", 0, 1e6,
+               "Length of a zone that turns what comes around the period back into the current of an endless flume: "
+               "over it the water takes the logarithmic profile over the ground, at its own discharge. Behind a body "
+               "the wake would come around and meet it. 0: none. Mesh models have none.");
     v.quantity("guide_from", guide_from, "m", -1e6, 1e6,
                "Where the zone begins, along the flow; it may reach over the end of the period.");
     v.choice("start", start,
              "Velocity of the water at the start. It follows from the drive (without one, beside inlets, from "
-             "`discharge` or "
-             "`velocity`) and the law of the wall with the depth of each column; a current that starts at rest takes "
-             "some ten "
-             "depths over the friction velocity to become steady.");
+             "`discharge` or `velocity`) and the law of the wall with the depth of each column; a current that starts "
+             "at rest takes some ten depths over the friction velocity to become steady.");
     v.texts("start_of", start_of, "Names of the shapes whose water starts so; without any, all water does.");
   }
 

@@ -69,22 +69,19 @@ struct Numerics {
     v.quantity("maximum_speed", maximum_speed, "m/s", 0, 1000,
                "Largest speed expected, from which the sound speed follows; 0: 2 sqrt(g H), H the height of the fluid "
                "at the start.");
-    v.number(
-        "cfl", cfl, 0.01, 0.8,
-        "Courant number of the acoustic and force time steps. Errors do not depend on it "
-        "(docs/speed-against-error.md), but near 0.7 splashes begin to gain energy. The acoustic damper is stable to "
-        "0.7 and diverges at 1.0; so more than 0.8 is refused.");
+    v.number("cfl", cfl, 0.01, 0.8,
+             "Courant number of the acoustic and force time steps. Errors do not depend on it "
+             "(docs/speed-against-error.md), but near 0.7 splashes begin to gain energy. The acoustic damper is stable "
+             "to 0.7 and diverges at 1.0; so more than 0.8 is refused.");
     v.number("density_diffusion", density_diffusion, 0, 1, "Delta of the density diffusion (Fourtakas et al. 2019).");
+    v.number("artificial_viscosity", artificial_viscosity, 0, 1,
+             "Alpha of the artificial viscosity between approaching particles of one phase. Where it is not given it "
+             "is 0.02, and 0.1 in plane scenes of water alone and in driven flows. From smoothing_ratio 1.9 on it acts "
+             "only where the flow is compressed or disordered, not in shear, vortices and waves (docs/theory.md).");
     v.number(
-        "artificial_viscosity", artificial_viscosity, 0, 1,
-        "Alpha of the artificial viscosity between approaching particles of one phase. Where it is not given it is "
-        "0.02, and 0.1 in plane scenes of water alone and in driven flows. From smoothing_ratio 1.9 on it acts only "
-        "where the flow is "
-        "compressed or disordered, not in shear, vortices and waves (docs/theory.md).");
-    v.number("acoustic_damper", acoustic_damper, 0, 1,
-             "Factor of the acoustic damper, a bulk viscosity of c h that quiets sound and leaves flow alone. With 0.5 "
-             "it is "
-             "stable for particles in any order at a Courant number of 0.5; with more, knots of particles may burst.");
+        "acoustic_damper", acoustic_damper, 0, 1,
+        "Factor of the acoustic damper, a bulk viscosity of c h that quiets sound and leaves flow alone. With 0.5 it "
+        "is stable for particles in any order at a Courant number of 0.5; with more, knots of particles may burst.");
     v.choice("viscosity", viscosity, "How the viscosity of the sediment is advanced in time.");
     v.number("viscous_tolerance", viscous_tolerance, 1e-8, 0.1,
              "Residual at which the implicit viscosity stops, over the momentum one step of gravity gives.");

@@ -25,8 +25,7 @@ struct Outlet : Opening {
   static constexpr TableHeading heading{
       "outlet", "Where water and sediment leave the scene: one such table for every opening (openings.md).",
       "Behind the plane of an outlet the scene goes on for a zone as long as the neighbour lists reach and two "
-      "spacings, "
-      "with its floor. Particles are taken out at its end."};
+      "spacings, with its floor. Particles are taken out at its end."};
 
   OutletKind kind = OutletKind::fall;
 

@@ -25,8 +25,7 @@ std::string heading(const std::string& page, const std::string& name, const std:
 
 std::string see_also() {
   return ".SH EXIT STATUS\n0: done; 1: the run failed; 2: the input is wrong; 128 + n: ended by signal n. An error is "
-         "one line on "
-         "standard error with cause and cure.\n"
+         "one line on standard error with cause and cure.\n"
          ".SH SEE ALSO\n.BR thalweg (1);\nthe pages in the documentation folder of the installed tree, "
          "share/doc/thalweg.\n";
 }

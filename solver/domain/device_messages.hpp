@@ -161,8 +161,7 @@ class CopyMessages {
     if (wish.way == MessageWay::mpi && !by_mpi_) {
       throw InputError(
           "--device-messages mpi: this MPI does not send from the memory of the GPUs; take one that is built with "
-          "CUDA, or "
-          "leave --device-messages away to send by way of the host");
+          "CUDA, or leave --device-messages away to send by way of the host");
     }
   }
   /// True if they lie in the devices' memory, false if the host reaches them, too.

@@ -193,8 +193,7 @@ void require_gpu_memory(const AnyScene& scene, const GpuMemory& memory, double a
   if (memory.entries > most) {
     throw InputError(
         fmt::format("--backend cuda: {:.3g} particles have {:.3g} entries in their neighbour lists, which can hold "
-                    "{:.3g}; fill the "
-                    "scene with a spacing of {} or more (numerics.spacing)",
+                    "{:.3g}; fill the scene with a spacing of {} or more (numerics.spacing)",
                     memory.particles, memory.entries, most,
                     format_quantity(spacing_that_fits(spacing, memory.entries, most, dimension), "m")));
   }

@@ -139,8 +139,7 @@ void describe_options(CLI::App& app, FormulaOptions& options) {
 int formulas_command(int argc, char** argv) {
   CLI::App app(
       "Empirical scour formulas for piers, pipes, contractions, wall jets and falls: what each gives, from what, and "
-      "whether "
-      "the scene is within its range.",
+      "whether the scene is within its range.",
       "thalweg formulas");
   FormulaOptions options;
   describe_options(app, options);
