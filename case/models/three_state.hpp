@@ -15,6 +15,17 @@ inline constexpr std::array<Choice<BedShear>, 3> choices(BedShear) {
        {BedShear::paper, "paper", "rho (kappa du/2)^2 from the summed velocity difference, the paper's (20), (21)"}}};
 }
 
+/// Effect of the pressure of water on the particles of the surface of a bed (model.bed_surface).
+enum class SurfaceHold { free, held };
+
+inline constexpr std::array<Choice<SurfaceHold>, 2> choices(SurfaceHold) {
+  return {
+      {{SurfaceHold::free, "free", "the pressure of water pushes its particles, as a wave pushes a bed as a whole"},
+       {SurfaceHold::held, "held",
+        "where it is less steep than grains stand it is held against that pressure, which in a current is a part of "
+        "the shear stress"}}};
+}
+
 namespace models {
 
 /// Grains that are eroded from the bed, carried and deposited: model.sediment = "three-state".

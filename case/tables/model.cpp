@@ -17,6 +17,7 @@ void Model::set_defaults(const GivenWords& given) {
   if (given.has_lasting_current()) {
     turbulence = Turbulence::mixing_length;
     wall_friction = WallFriction::smooth;
+    bed_surface = SurfaceHold::held;
   }
   if (given.choice<SedimentModel>("model.sediment") == SedimentModel::surface) wall_friction = WallFriction::smooth;
   switch (given.choice<Implementation>("model.implementation").value_or(Implementation::law)) {
@@ -42,6 +43,12 @@ void Model::check(const Case& whole, const CheckContext& at) const {
     case YieldCriterion::mohr_coulomb:
       if (at.resolved() || !at.given("yield_fit")) break;
       at.reject("model.yield_fit", "model.yield_fit means nothing with yield = \"mohr-coulomb\"", "remove it");
+  }
+  const bool moves_by_law = models::ThreeState::is_on(whole) && implementation == Implementation::law;
+  if (!at.resolved() && at.given("bed_surface") && !moves_by_law) {
+    at.reject("model.bed_surface", "model.bed_surface is of beds that move by laws",
+              "remove it, or write sediment = "
+              "\"three-state\" and implementation = \"law\"");
   }
   models::for_each_rule(whole, [&](const models::Rule& rule) {
     if (rule.broken(whole)) at.reject(rule.blamed, rule.what, rule.cure);

@@ -29,6 +29,7 @@ struct Model {
   BedShear bed_shear = BedShear::log_law;
   BedLoad bed_load = BedLoad::meyer_peter_mueller;
   SlopeEffect slope_effect = SlopeEffect::friction;
+  SurfaceHold bed_surface = SurfaceHold::free;
   bool rest = true;
   WallFriction wall_friction = WallFriction::none;
   Turbulence turbulence = Turbulence::off;
@@ -58,6 +59,11 @@ struct Model {
     v.choice("bed_shear", bed_shear, "How the water's shear stress on the bed is found (three-state).");
     v.choice("bed_load", bed_load, "How fast grains move along the bed (three-state, implementation = \"law\").");
     v.choice("slope_effect", slope_effect, "What the bed's slope along the flow changes in its bed load.");
+    v.choice(
+        "bed_surface", bed_surface,
+        "What the pressure of water does to the particles of a bed's surface (three-state, implementation = "
+        "\"law\"). Where it is not given it is \"held\" in driven flows ([flow]) and with inlets; write \"held\" for a "
+        "current that decays or turns, too.");
     v.flag("rest", rest,
            "Sediment that has been below yield for a while, with nothing moving about it, stops exactly and costs next "
            "to nothing until something wakes it.");

@@ -52,7 +52,10 @@ void announce_sediment(const Case& c) {
   if (c.model.sediment == SedimentModel::three_state) {
     announce("suspended_load.carried_by", c.suspended_load.carried_by, CarriedBy::parcels);
     announce("model.bed_shear", c.model.bed_shear, Model{}.bed_shear);
-    if (c.model.implementation == Implementation::law) announce("model.bed_load", c.model.bed_load);
+    if (c.model.implementation == Implementation::law) {
+      announce("model.bed_load", c.model.bed_load);
+      announce("model.bed_surface", c.model.bed_surface, SurfaceHold::free);
+    }
   }
   announce("numerics.viscosity", c.numerics.viscosity, Numerics{}.viscosity);
 }
@@ -66,9 +69,6 @@ void announce_flow(const Case& c) {
   if (c.flow.guide_length > 0) {
     spdlog::info("flow: guided towards the logarithmic profile over {} from {} = {}",
                  format_quantity(c.flow.guide_length, "m"), c.flow.along, format_quantity(c.flow.guide_from, "m"));
-  }
-  if (c.model.sediment == SedimentModel::three_state && c.model.implementation == Implementation::law) {
-    spdlog::info("flow: the surface of beds less steep than grains stand is held against the pressure of the water");
   }
 }
 

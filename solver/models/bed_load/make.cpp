@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "case/models/driven_flow.hpp"
 #include "case/models/three_state.hpp"
 #include "solver/models/all.hpp"
 #include "solver/models/make.hpp"
@@ -20,7 +19,7 @@ void BedLoadModel::make(const SceneSource& from, Scene<Dim>& scene) {
   const double rho = of.water.density;
   law.law = of.model.bed_load;
   law.slope_effect = of.model.slope_effect;
-  law.holds_surface = of.has_lasting_current();
+  law.holds_surface = of.model.bed_surface == SurfaceHold::held;
   law.scale = static_cast<float>(bed_load_scale(s.grain_diameter, s.grain_density, rho, g));
   law.layer = static_cast<float>((1 - s.porosity) * scene.spacing);
   law.area = static_cast<float>(std::pow(scene.spacing, Dim - 1));

@@ -102,11 +102,20 @@ struct BedSurfaceSweep {
     set_heights(s, sum, height);
   }
 
-  /// Mean and log-mean height of the water over the surface, which lies half a spacing above the particle's centre;
-  /// `height`: mean over the centre [m].
+  /// Height of a particle that stands out over the bed around it [m]. One that lies in the flat has the layers above it
+  /// in reach; one a spacing higher, water in its own layer, too.
+  [[nodiscard]] HOST_DEVICE float rise_over_bed(float water_share) const {
+    const float rise = scene.erosion.rise_of_share * (water_share - scene.erosion.share_over_flat);
+    const auto most = 2 * static_cast<float>(scene.spacing);
+    return rise < 0 ? 0 : rise < most ? rise : most;
+  }
+
+  /// Mean and log-mean height of the water over the bed, whose surface lies half a spacing above the particle's centre;
+  /// `height`: mean over the centre [m]. Below a particle that stands out the bed lies lower: heights over its own back
+  /// are near 0, as much of the water in reach is beside it, and with them it felt three to six times the bed's stress.
   HOST_DEVICE void set_heights(BedSurface& s, const Sum<float>& sum, float height) const {
     const auto dp = static_cast<float>(scene.spacing);
-    s.water_height = height - 0.5F * dp;
+    s.water_height = height - 0.5F * dp + (scene.erosion.by_law ? rise_over_bed(sum.water_share) : 0.0F);
     s.log_height = 0;
     if (!(sum.water_share > 0)) return;
     float square = 0;

@@ -8,6 +8,7 @@
 #include "physics/transport/lift_settling.hpp"
 #include "solver/models/all.hpp"
 #include "solver/models/make.hpp"
+#include "solver/models/states/flat_bed.hpp"
 
 namespace thalweg {
 
@@ -31,6 +32,7 @@ void StatesModel::make(const SceneSource& from, Scene<Dim>& scene) {
   law.fill_hysteresis = law.as_printed ? 0 : surface_fill_hysteresis;
   law.diameter = static_cast<float>(s.grain_diameter);
   law.roughness = static_cast<float>(s.roughness > 0 ? s.roughness : s.grain_diameter);
+  know_flat_beds(scene);
   law.grain_density = static_cast<float>(s.grain_density);
   law.grain_weight = static_cast<float>(grain_weight_stress(s.grain_density, rho, g, s.grain_diameter));
   law.cohesion = s.critical_stress > 0 ? 0 : static_cast<float>(s.cohesion);

@@ -15,6 +15,8 @@ struct ErosionScene {
   float fill_hysteresis = 0;          // more than that, for grains that move [-]
   float diameter = 0;                 // d50 [m]
   float roughness = 0;                // ks [m]
+  float share_over_flat = 0;          // sum of V W of the water over a flat bed, at its surface [-]
+  float rise_of_share = 0;            // height over the bed of a particle that stands out, over what it sees more [m]
   float grain_density = 0;            // [kg/m^3]
   float grain_weight = 0;             // (rho_s - rho_w) g d [Pa]
   float cohesion = 0;                 // that water has to overcome too [Pa]

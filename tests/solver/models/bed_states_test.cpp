@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/models/states/flat_bed.hpp"
 #include "tests/solver/pvc_grains.hpp"
 #include "tests/solver/scenes.hpp"
 
@@ -92,6 +93,34 @@ TYPED_TEST(BedStates, SeeTheTopLayerAsSurfaceAndTheWaterOverIt) {
     }
   }
   EXPECT_EQ(tops, 10);
+}
+
+// A grain that lies on a flat bed has most of the water in reach beside it and not above. The stress on the bed is known:
+// the water has the logarithmic profile over it. With heights over its own back the grain felt four times as much.
+TYPED_TEST(BedStates, FeelTheBedsStressWhereOneStandsOut) {
+  Scene<2> scene = eroding_scene();
+  scene.erosion.by_law = true;
+  know_flat_beds(scene);
+  constexpr float friction = 0.05F;  // [m/s]
+  const float ks = scene.erosion.roughness;
+  const double dp = scene.spacing;
+  Index lone = 0;
+  ParticleSet p = test::fill_lattice(scene, [&](const Vec3& x) {
+    const bool on_top = x.z() > bed_height && x.z() < bed_height + dp && x.x() > 0.1 && x.x() < 0.1 + dp;
+    return on_top ? ParticleType::sediment : half_bed(x);
+  });
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.type[i] != ParticleType::water) continue;
+    const auto z = static_cast<float>(p.position[i].z() - bed_height);
+    p.velocity[i].x() = friction / 0.41F * std::log(z / (0.11F * 1e-6F / friction + 0.033F * ks));
+  }
+  auto l = test::load<TypeParam>(scene, p);
+  apply_equation_of_state(l.on, l.p, scene);
+  const test::Seen seen = update_states(l, scene, 1e-4);
+  while (!is_sediment(seen.record[lone]) || seen.position[lone].x[2] < bed_height) ++lone;
+  const float exact = 1000 * friction * friction;
+  EXPECT_NEAR(seen.bed[top_of(seen)].shear_stress, exact, 0.05 * exact);
+  EXPECT_NEAR(seen.bed[lone].shear_stress, exact, 0.3 * exact);
 }
 
 TYPED_TEST(BedStates, SeeNoSurfaceTowardsAWall) {
