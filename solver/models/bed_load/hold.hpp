@@ -6,8 +6,8 @@
 // front of it: at the steps of a sloping bed, where a neighbour is missing. Half a metre a second against 5 mm is 125 Pa,
 // and the friction of such a particle is 13: whole particles ran over a stepped hump, 8 to 20 times as much as the law
 // carries (bench/notes/stepped-hump.md). In nature that push is part of the shear stress, of which the law knows what it
-// moves. So in a driven current pressure moves nothing across gravity at a surface that stands; what it would give goes to
-// the ground. Waves that break over a bed do push it as a whole: there nothing is held.
+// moves. So in a current (model.bed_surface) pressure moves nothing across gravity at a surface that stands; what it would
+// give goes to the ground. Waves that break over a bed do push it as a whole: there nothing is held.
 namespace thalweg {
 
 /// Particle pass: takes from the surface of a bed the acceleration across gravity that pressures give it. All of it where
