@@ -6,6 +6,7 @@
 #include "physics/transport/slope_effect.hpp"
 #include "solver/models/bed_load/arrays.hpp"
 #include "solver/models/bed_load/drag.hpp"
+#include "solver/models/bed_load/lone_parcels.hpp"
 #include "solver/models/bed_load/scene.hpp"
 #include "solver/models/states/bed_states.hpp"
 #include "solver/passes/integrate.hpp"
@@ -80,7 +81,9 @@ struct BedLoadDriftPass {
     Record& r = records[i];
     const float room = 1 - (s.settled_share + share_of_walls(i)) / settling::landed;
     if (!(room > 0)) return;
-    const float speed = (1 - 1 / settling::tie) * scene.erosion.settling_velocity * room;
+    // Around a parcel that sinks by itself the water that makes room for it rises, and takes it along.
+    const float against = settling::counterflow<Dim> * lone_share(r, s, scene.kernel.value(1.0F));
+    const float speed = (1 - 1 / settling::tie + against) * scene.erosion.settling_velocity * room;
     for (int k = 0; k < Dim; ++k) r.work[axis<Dim>(k)] = speed * scene.erosion.down[k];
   }
 

@@ -5,6 +5,7 @@
 #include "solver/models/bed_load/drift.hpp"
 #include "solver/models/bed_load/hold.hpp"
 #include "solver/models/bed_load/lent_pressure.hpp"
+#include "solver/models/bed_load/lone_parcels.hpp"
 #include "solver/models/bed_load/scene.hpp"
 
 namespace thalweg {
@@ -33,6 +34,7 @@ struct BedLoadModel {
   }
   template <class C>
   static void add_forces(C& step) {
+    lighten_lone_parcels(step.on, step.p, step.scene);
     if (step.scene.bed_load.holds_surface) hold_surface(step.on, step.p, step.scene);
   }
   template <class C>
