@@ -14,7 +14,7 @@ namespace settling {
 /// does to a body of its size, and 1 mm grains sank at 0.76, 0.54 and 0.31 w_s at 10, 5 and 2.5 mm.
 inline constexpr float tie = 20;
 /// Velocity of the water that rises around a parcel by itself, over its settling velocity [-]. Measured: without it parcels of
-/// 0.2 and 1 mm grains sank at 0.80 and 0.76 w_s in the plane at 10, 5 and 2.5 mm, and with 0.25 in space at 1.17 and 1.14.
+/// 0.2 and 1 mm grains sank at 0.77 w_s in the plane at 10, 5 and 2.5 mm, and with 0.25 in space at 1.10 to 1.15.
 template <int Dim>
 inline constexpr float counterflow = Dim == 2 ? 0.25F : 0.1F;
 /// Share of settled sediment in reach of a parcel that lies on a bed [-].

@@ -4,7 +4,7 @@
 
 // A parcel in suspension is a lump of bed, as large as a spacing. The grains it stands for are spread over far more water
 // when no other parcel is near. Its whole weight on the water in reach makes that water fall with it, as it does around a
-// cloud of that size: parcels of 0.2 mm grains fell at 1.86, 1.43 and 1.09 of their settling velocity at 10, 5 and 2.5 mm.
+// cloud of that size: parcels of 0.2 mm grains fell at 1.79, 1.37 and 1.05 of their settling velocity at 10, 5 and 2.5 mm.
 namespace thalweg {
 
 /// Share of a parcel in suspension that is by itself [-]: 1 without other sediment in reach, 0 where that fills as much of the

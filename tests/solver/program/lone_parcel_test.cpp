@@ -43,7 +43,7 @@ double sinks_at(const LoneParcel& of) {
 class SinkingParcel : public testing::TestWithParam<LoneParcel> {};
 
 // Soulsby: 0.026 m/s and 0.120 m/s. With the parcel's whole weight on the water around it fell as a cloud of its size, fine
-// grains at up to 1.9 times that.
+// grains at up to 1.8 times that.
 TEST_P(SinkingParcel, SinksLikeItsGrains) {
   const LoneParcel& of = GetParam();
   const double star = dimensionless_diameter(of.diameter, 2650.0, 1000.0, 9.81, 1e-3);
