@@ -39,7 +39,7 @@ function(thalweg_settings target)
     $<$<BOOL:${THALWEG_WARNINGS_ARE_ERRORS}>:-Werror>)
 endfunction()
 
-# THALWEG_UNITY: a library's files are compiled eight at a time as one, so that the headers of VTK, Eigen and fmt are read once
+# THALWEG_UNITY: the files of a library or a program of tests are compiled eight at a time as one, so that the headers of VTK, Eigen and fmt are read once
 # for all of them, which shortens a first build. A change of one file compiles its neighbours again.
 option(THALWEG_UNITY "Compile several files of a library at once" OFF)
 

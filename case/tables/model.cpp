@@ -47,8 +47,7 @@ void Model::check(const Case& whole, const CheckContext& at) const {
   const bool moves_by_law = models::ThreeState::is_on(whole) && implementation == Implementation::law;
   if (!at.resolved() && at.given("bed_surface") && !moves_by_law) {
     at.reject("model.bed_surface", "model.bed_surface is of beds that move by laws",
-              "remove it, or write sediment = "
-              "\"three-state\" and implementation = \"law\"");
+              "remove it, or write sediment = \"three-state\" and implementation = \"law\"");
   }
   models::for_each_rule(whole, [&](const models::Rule& rule) {
     if (rule.broken(whole)) at.reject(rule.blamed, rule.what, rule.cure);

@@ -97,6 +97,12 @@ constexpr const char* no_cuda_core =
     "--backend cuda: this build has no CUDA core; install the CUDA Toolkit (12 or newer), then run "
     "\"cmake --preset release\" and \"tools/build cuda\"; or use --backend openmp";
 
+/// Refuses a device that cannot be used.
+void require_device(const CoreModule& core) {
+  const std::string problem = core.function<DeviceProblem>("thalweg_device_problem")();
+  if (!problem.empty()) throw InputError("--backend cuda: " + problem);
+}
+
 /// A rank's GPU, before anything is made on it.
 struct GpuOfRank {
   std::optional<CoreModule> core;
@@ -110,8 +116,7 @@ void choose_gpu(GpuOfRank& gpu, int place, std::array<std::uint8_t, 16>& name) {
   if (find_core("cuda").empty()) throw InputError(no_cuda_core);
   gpu.core.emplace("cuda");
   gpu.core->function<DeviceChoice>("thalweg_choose_device")(place);
-  const std::string problem = gpu.core->function<DeviceProblem>("thalweg_device_problem")();
-  if (!problem.empty()) throw InputError("--backend cuda: " + problem);
+  require_device(*gpu.core);
   gpu.is_found = true;
   gpu.core->function<DeviceName>("thalweg_name_device")(name.data());
 }
@@ -166,8 +171,7 @@ std::unique_ptr<Simulation> make_on_gpu(const SimulationInput& input, bool insis
   }
   if (insist) {
     const CoreModule core("cuda");
-    const std::string problem = core.function<DeviceProblem>("thalweg_device_problem")();
-    if (!problem.empty()) throw InputError("--backend cuda: " + problem);
+    require_device(core);
     return make_with(core, input);
   }
   // Nobody insists: whatever is wrong with the GPU, CPU cores do.

@@ -27,18 +27,17 @@ void require_no_gpus(MessageWay way) {
 
 LinkMaker& load_nccl(Ranks& ranks) {
   LinkMaker* links = nullptr;
-  const RankProblem first =
-      first_problem(ranks, problem_of([&] {
-                      const auto file = find_module(nccl_module);
-                      if (file.empty()) {
-                        throw RunError(
-                            "this build of Thalweg has no NCCL; install NVIDIA's NCCL with its headers (libnccl-dev) "
-                            "beside the CUDA Toolkit and build again");
-                      }
-                      const LoadedModule module(
-                          file, "NCCL", "install NVIDIA's NCCL (libnccl2), or name its folder in LD_LIBRARY_PATH");
-                      links = module.function<LinkMaker* (*)()>("thalweg_nccl_links")();
-                    }));
+  const auto load = [&] {
+    const auto file = find_module(nccl_module);
+    if (file.empty()) {
+      throw RunError(
+          "this build of Thalweg has no NCCL; install NVIDIA's NCCL with its headers (libnccl-dev) beside the CUDA "
+          "Toolkit and build again");
+    }
+    const LoadedModule module(file, "NCCL", "install NVIDIA's NCCL (libnccl2), or name its folder in LD_LIBRARY_PATH");
+    links = module.function<LinkMaker* (*)()>("thalweg_nccl_links")();
+  };
+  const RankProblem first = first_problem(ranks, problem_of(load));
   if (first.text.empty()) return *links;
   throw InputError(
       fmt::format("--device-messages nccl: rank {}: {}, or leave --device-messages away", first.rank, first.text));

@@ -120,8 +120,9 @@ class GpuCheck(unittest.TestCase):
         rows = self.rows()
         self.assertEqual({row["part"] for row in rows.values()}, {"tests", "sanitizer", "bench", "ncu", "flume"})
         nccl = "NCCL: three states in space"
-        self.assertEqual({row["part"] for row in rows.values() if row["passed"]} & {"tests", "bench", "flume"}, {"tests", "bench", "flume"})
-        self.assertTrue(all(row["passed"] or row["skipped"] for row in rows.values()))
+        for name, row in rows.items():
+            needs_more = name == nccl or row["part"] in ("sanitizer", "ncu")  # tools that not every machine has
+            self.assertTrue(row["passed"] or (needs_more and row["skipped"]), name)
         self.assertIn(f"{nccl}: skipped: needs two GPUs", done.stdout)
         self.assertRegex(done.stdout, f"\nskipped, which this machine cannot run: .*{nccl}")
         figures = rows["flume 3.55 M"]["figures"]

@@ -69,6 +69,8 @@ TEST_P(BrokenRule, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     Models, BrokenRule,
     ::testing::Values(
+        Contradiction{{"model.sediment=viscoplastic", "model.bed_surface=held"},
+                      "model.bed_surface is of beds that move by laws; remove it"},
         Contradiction{
             {"model.seepage=mixture", "model.effective_pressure=eos"},
             "a mixture has the pressure of its grains, or that of the columns; write \"grains\" or \"column\""},
